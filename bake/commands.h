@@ -1,0 +1,14 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace scree::tool {
+
+/// Each adds a subcommand to the program.
+void add_bake(CLI::App& app);
+void add_info(CLI::App& app);
+void add_sample(CLI::App& app);
+
+} // namespace scree::tool

@@ -1,0 +1,90 @@
+#include "bake/recipe.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+#include <toml++/toml.h>
+#include <vector>
+
+#include "bake/terminal.h"
+
+namespace scree::tool {
+
+namespace {
+
+/// Position of a value in the file, for messages.
+std::string where(const std::filesystem::path& file, const toml::node& node)
+{
+    return fmt::format("{}:{}", file.string(), node.source().begin.line);
+}
+
+/// A TOML value as the words a command line would hold.
+std::vector<std::string> words_of(const toml::node& node, const std::string& key,
+                                  const std::filesystem::path& file)
+{
+    if (const auto* array = node.as_array()) {
+        std::vector<std::string> words;
+        for (const auto& element : *array)
+            for (auto& word : words_of(element, key, file))
+                words.push_back(std::move(word));
+        return words;
+    }
+    if (const auto text = node.value_exact<std::string>())
+        return {*text};
+    if (const auto number = node.value_exact<int64_t>())
+        return {fmt::format("{}", *number)};
+    if (const auto number = node.value_exact<double>())
+        return {fmt::format("{}", *number)};
+    if (const auto flag = node.value_exact<bool>())
+        return {*flag ? "true" : "false"};
+    throw UsageError(fmt::format("{}: '{}' is neither text, number, true/false nor a list of them",
+                                 where(file, node), key));
+}
+
+bool is_listed(const std::string& keys, const std::string& key)
+{
+    return ("," + keys + ",").find("," + key + ",") != std::string::npos;
+}
+
+} // namespace
+
+void apply_recipe(CLI::App& command, const std::filesystem::path& file,
+                  const std::string& path_keys)
+{
+    toml::table recipe;
+    try {
+        recipe = toml::parse_file(file.string());
+    } catch (const toml::parse_error& e) {
+        throw UsageError(fmt::format("{}:{}: {}", file.string(), e.source().begin.line,
+                                     e.description()));
+    }
+    for (const auto& [toml_key, node] : recipe) {
+        const std::string key(toml_key.str());
+        CLI::Option* option = command.get_option_no_throw("--" + key);
+        if (option == nullptr || key == "help")
+            throw UsageError(fmt::format("{}: there is no option '{}'; see scree {} --help",
+                                         where(file, node), key, command.get_name()));
+        if (option->count() > 0)
+            continue; // the command line wins
+        auto words = words_of(node, key, file);
+        if (is_listed(path_keys, key))
+            for (auto& word : words)
+                word = (file.parent_path() / word).string(); // an absolute one stays as it is
+        try {
+            if (option->get_type_size() == 0) { // a flag
+                if (words != std::vector<std::string>{"true"} &&
+                    words != std::vector<std::string>{"false"})
+                    throw CLI::ValidationError("expected true or false");
+                if (words.front() == "false")
+                    continue;
+            }
+            option->add_result(words);
+            option->run_callback();
+        } catch (const CLI::ParseError& e) {
+            throw UsageError(fmt::format("{}: {}: {}", where(file, node), key, e.what()));
+        }
+    }
+}
+
+} // namespace scree::tool

@@ -1,0 +1,68 @@
+#include "bake/terminal.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+
+namespace scree::tool {
+
+namespace {
+
+std::atomic<bool> stop{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
+
+void on_signal(int signal)
+{
+    stop = true;
+    // A second one kills, should the first find nobody listening.
+    std::signal(signal, SIG_DFL);
+}
+
+} // namespace
+
+void stop_on_signals()
+{
+    std::signal(SIGINT, on_signal);
+    std::signal(SIGTERM, on_signal);
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+const std::atomic<bool>& stop_asked()
+{
+    return stop;
+}
+
+Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress()
+{
+    if (!quiet_ && terminal_ && shown_ >= 0)
+        fmt::print(stderr, "\r\033[K");
+}
+
+void Progress::show(const char* phase, double done)
+{
+    constexpr int kWidth = 40;
+    if (quiet_)
+        return;
+    const int step = terminal_ ? 200 : 10;
+    const int now = static_cast<int>(done * step);
+    if (now == shown_ && phase_ == phase)
+        return;
+    const bool first = phase_ != phase;
+    phase_ = phase;
+    shown_ = now;
+    if (terminal_) {
+        const int filled = now * kWidth / step;
+        fmt::print(stderr, "\r{:8} [{:#<{}}{:.<{}}] {:3} %", phase, "", filled, "",
+                   kWidth - filled, now * 100 / step);
+    } else if (!first || now > 0) {
+        fmt::print(stderr, "scree: {} {} %\n", phase, now * 10);
+    }
+    std::fflush(stderr);
+}
+
+} // namespace scree::tool

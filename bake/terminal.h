@@ -1,0 +1,40 @@
+#pragma once
+
+#include <atomic>
+#include <string>
+
+#include "math/error.h"
+
+namespace scree::tool {
+
+/// A mistake on the command line or in a recipe: exit status 2.
+class UsageError : public Error {
+public:
+    using Error::Error;
+};
+
+/// From now on SIGINT and SIGTERM ask the work to stop instead of killing the program; writing to
+/// a closed pipe or past a file size limit becomes an error instead of a signal.
+void stop_on_signals();
+
+/// Set once a signal came.
+const std::atomic<bool>& stop_asked();
+
+/// Shows how far a long task is on stderr: a bar on a terminal, a line every tenth elsewhere.
+class Progress {
+public:
+    explicit Progress(bool quiet);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// done in [0, 1]; called from one thread at a time.
+    void show(const char* phase, double done);
+
+private:
+    bool quiet_, terminal_;
+    std::string phase_;
+    int shown_ = -1;
+};
+
+} // namespace scree::tool

@@ -1,0 +1,18 @@
+# What the library links, found the same way by its build and by projects that use it.
+include(CMakeFindDependencyMacro)
+
+find_dependency(Threads)
+find_dependency(Imath CONFIG)
+find_dependency(OpenEXR CONFIG)
+find_dependency(OpenImageIO CONFIG)
+find_dependency(TBB CONFIG)
+find_dependency(fmt CONFIG)
+find_dependency(nlohmann_json CONFIG)
+find_dependency(OpenSSL COMPONENTS Crypto)
+find_dependency(PkgConfig)
+# Debian 12's CMake config of OpenColorIO names folders that do not exist; libdeflate has none.
+foreach(module OpenColorIO libdeflate)
+  if(NOT TARGET PkgConfig::${module})
+    pkg_check_modules(${module} REQUIRED IMPORTED_TARGET GLOBAL ${module})
+  endif()
+endforeach()

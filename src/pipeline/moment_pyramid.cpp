@@ -1,0 +1,101 @@
+#include "pipeline/moment_pyramid.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace scree {
+
+namespace {
+
+/// Level-0 rows made at a time: enough work for every thread, few enough to stay in the cache.
+constexpr int kBatchRows = 16;
+
+/// A coarse row needs at most 3 fine rows, and shares one with the next.
+constexpr int kRowsKept = 3;
+
+} // namespace
+
+MomentPyramid::MomentPyramid(const MomentLayout& layout, int width, int height,
+                             std::vector<TexelVisitor*> visitors)
+    : layout_(layout), visitors_(std::move(visitors))
+{
+    const int levels = level_count(width, height);
+    for (int l = 0, w = width, h = height; l < levels; ++l) {
+        const int capacity = std::min(h, kBatchRows + kRowsKept);
+        levels_.push_back({w, h, 0, capacity, {}});
+        levels_.back().data.resize(static_cast<size_t>(capacity) *
+                                   static_cast<size_t>(layout.planes) * static_cast<size_t>(w));
+        const int next_w = coarser_size(w), next_h = coarser_size(h);
+        if (l + 1 < levels)
+            reductions_.emplace_back(layout, w, next_w);
+        w = next_w;
+        h = next_h;
+    }
+}
+
+MomentRow MomentPyramid::row(Level& level, int y) const
+{
+    const auto slot = static_cast<size_t>(y % level.capacity);
+    return {level.data.data() +
+                slot * static_cast<size_t>(layout_.planes) * static_cast<size_t>(level.width),
+            level.width};
+}
+
+void MomentPyramid::push(int rows, const Fill& fill)
+{
+    for (int done = 0; done < rows; done += kBatchRows)
+        push_batch(std::min(kBatchRows, rows - done), fill);
+}
+
+void MomentPyramid::push_batch(int rows, const Fill& fill)
+{
+    make(0, rows, fill);
+    for (size_t l = 1; l < levels_.size(); ++l) {
+        const Level& fine = levels_[l - 1];
+        Level& coarse = levels_[l];
+        int ready = 0;
+        while (coarse.done + ready < coarse.height) {
+            const Share share = share_of(coarse.done + ready, fine.height, coarse.height);
+            if (share.first + share.count > fine.done)
+                break;
+            ++ready;
+        }
+        if (ready > 0)
+            make(static_cast<int>(l), ready, fill);
+    }
+}
+
+void MomentPyramid::make(int level, int rows, const Fill& fill)
+{
+    Level& own = levels_[static_cast<size_t>(level)];
+    const int begin = own.done, end = own.done + rows;
+    for (TexelVisitor* visitor : visitors_)
+        visitor->rows_begin(level, begin, end);
+
+    const int blocks = (own.width + kBlockColumns - 1) / kBlockColumns;
+    tbb::parallel_for(0, blocks, [&](int block) {
+        const int x0 = block * kBlockColumns;
+        const int x1 = std::min(own.width, x0 + kBlockColumns);
+        for (int y = begin; y < end; ++y) {
+            const MomentRow out = row(own, y);
+            if (level == 0) {
+                fill(y, x0, x1 - x0, out.from(x0));
+            } else {
+                Level& fine = levels_[static_cast<size_t>(level) - 1];
+                const Share share = share_of(y, fine.height, own.height);
+                MomentRow fine_rows[3];
+                for (int k = 0; k < share.count; ++k)
+                    fine_rows[k] = row(fine, share.first + k);
+                reductions_[static_cast<size_t>(level) - 1].row(fine_rows, share, x0, x1, out);
+            }
+            for (TexelVisitor* visitor : visitors_)
+                visitor->texels(level, y, x0, x1 - x0, out.from(x0));
+        }
+    });
+    own.done = end;
+    for (TexelVisitor* visitor : visitors_)
+        visitor->rows_end(level, end);
+}
+
+} // namespace scree

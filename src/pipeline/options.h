@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stats/cell.h"
+#include "texset/channels.h"
+#include "texset/chunk_codec.h"
+
+namespace scree {
+
+enum class Wrap { periodic, clamp, mirror, black };
+enum class PixelTypeChoice { automatic, half, float32 };
+enum class Layout { scree, bumpslopes };
+enum class NormalRange { automatic, unsigned_unit, signed_unit };
+
+/// Everything a bake depends on; equal options and inputs give equal bytes.
+struct BakeOptions {
+    std::filesystem::path height_file; ///< height map, or normal map with `normal_input`
+    std::filesystem::path color_file;  ///< empty: no color
+    std::filesystem::path output;      ///< folder of the set
+    std::string name;                  ///< of the set; empty: the height file's stem
+
+    std::string height_channel;   ///< name or index; empty: the only channel
+    double height_scale = 1;      ///< world units a unit of the (normalised) file value
+    double height_offset = 0;     ///< world units
+    std::optional<double> no_data_height; ///< file values equal to it are no data
+    std::optional<std::array<double, 2>> texel_size; ///< world units, s and t
+    std::optional<std::array<double, 2>> world_size; ///< of the whole map, world units
+    bool world_height_given = true; ///< else square texels decide the height of world_size
+    Wrap wrap_s = Wrap::periodic, wrap_t = Wrap::periodic;
+    Reconstruction reconstruction = Reconstruction::bilinear;
+
+    bool normal_input = false; ///< the height file holds tangent-space normals
+    NormalRange normal_range = NormalRange::automatic;
+    bool invert_x = false, invert_y = false;
+
+    bool alpha_weight = false; ///< texels count by their alpha
+    bool resample = false;     ///< color of another size is resampled to the height's
+    std::string ocio_config, color_space;
+
+    std::vector<Map> maps; ///< empty: those the inputs allow
+    PixelTypeChoice pixel_type = PixelTypeChoice::automatic;
+    double half_tolerance = 0.01; ///< see pipeline/storage_error.h
+    Compression compression = Compression::zip;
+    Layout layout = Layout::scree;
+    int threads = 0; ///< 0: all there are
+    std::map<std::string, std::string> as_given; ///< recorded in the manifest
+};
+
+/// What a bake tells while it runs, and how it is told to stop.
+struct BakeMonitor {
+    std::function<void(const char* phase, double done)> progress; ///< done in [0, 1]
+    const std::atomic<bool>* cancel = nullptr;
+
+    /// Throws Cancelled when asked to stop.
+    void report(const char* phase, double done) const;
+};
+
+/// Option values by the words of the command line. Throws Error naming the choices.
+Wrap wrap_named(const std::string& name);
+std::string wrap_name(Wrap wrap);
+Reconstruction reconstruction_named(const std::string& name);
+std::string reconstruction_name(Reconstruction reconstruction);
+PixelTypeChoice pixel_type_choice_named(const std::string& name);
+Layout layout_named(const std::string& name);
+std::string layout_name(Layout layout);
+NormalRange normal_range_named(const std::string& name);
+bool input_is_normal(const std::string& name);
+
+} // namespace scree

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace scree {
+
+/// Rows of a surface, in world units and scene-linear color.
+///
+/// NaN in `height` (or in `slope_s` of a normal map) marks a texel without data; its weight is 0.
+struct SurfaceRows {
+    std::vector<double> height;           ///< count x width, or empty
+    std::vector<double> slope_s, slope_t; ///< count x width, or empty
+    std::vector<float> color;             ///< count x width x 3, or empty
+    std::vector<float> weight;            ///< count x width, or empty: 1 where there is data
+};
+
+/// Texels that could not be used, by reason, and the first of each.
+struct Rejects {
+    struct Count {
+        long long texels = 0;
+        std::string first; ///< file, channel and texel
+    };
+    Count not_finite;      ///< NaN or infinity
+    Count turned_away;     ///< normals with nz <= 0
+    Count marked;          ///< equal to --no-data
+};
+
+/// Where a bake gets its surface from: image files, or a field made on the fly.
+///
+/// Rows are read from the top, as often as the bake needs: rewind() starts over. A source gives
+/// the same rows every time.
+class Source {
+public:
+    virtual ~Source() = default;
+
+    [[nodiscard]] virtual int width() const = 0;
+    [[nodiscard]] virtual int height() const = 0;
+    [[nodiscard]] virtual bool has_heights() const = 0; ///< else slopes
+    [[nodiscard]] virtual bool has_color() const = 0;
+
+    virtual void rewind() = 0;
+    virtual void read(int count, SurfaceRows& rows) = 0;
+
+    /// Texels rejected since the last rewind.
+    [[nodiscard]] virtual const Rejects& rejects() const = 0;
+};
+
+} // namespace scree

@@ -1,0 +1,180 @@
+#include "pipeline/storage_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stats/kurtosis.h"
+#include "texset/mip_file.h"
+
+namespace scree {
+
+StorageError::StorageError(Map map, const MomentLayout& layout, const ValueScale& scale, int width,
+                           int height)
+    : map_(map), layout_(layout), scale_(scale)
+{
+    for (int l = 0; l < level_count(width, height); ++l) {
+        const int level_width = std::max(1, width >> l);
+        blocks_.emplace_back(
+            static_cast<size_t>((level_width + kBlockColumns - 1) / kBlockColumns));
+    }
+}
+
+namespace {
+
+/// Error of the covariance of x and y recovered from E[x], E[y], E[xy].
+double covariance_error(double x, double y, double xy, double truth)
+{
+    return std::abs(xy - x * y - truth);
+}
+
+} // namespace
+
+template <class Store>
+double StorageError::largest_error(MomentRow row, int count) const
+{
+    using Bits = typename Store::Bits;
+    Bits values[6][kTileSize];
+    Bits* stored[6];
+    for (int c = 0; c < 6; ++c)
+        stored[c] = values[c];
+    texture_values<Store>(map_, layout_, row, count, scale_, stored);
+
+    auto value = [&](int channel, int i) { return Store::value(values[channel][i]); };
+    auto truth = [&](int plane, int i) { return row.plane(plane)[i]; };
+    double largest = 0;
+    auto note = [&](double error) { largest = error < kLost ? std::max(largest, error) : kLost; };
+    auto note_slope = [&](int i, int s, int t, int ss, int tt, int st) {
+        note(covariance_error(value(s, i), value(s, i), value(ss, i), truth(layout_.slope_ss, i)));
+        note(covariance_error(value(t, i), value(t, i), value(tt, i), truth(layout_.slope_tt, i)));
+        note(covariance_error(value(s, i), value(t, i), value(st, i), truth(layout_.slope_st, i)));
+    };
+    // Products with another texture's mean: its rounding is that texture's error, not this one's.
+    auto note_product = [&](int channel, int covariance, int x, int y, int i) {
+        note(covariance_error(truth(x, i), truth(y, i), value(channel, i), truth(covariance, i)));
+    };
+    for (int i = 0; i < count; ++i) {
+        switch (map_) {
+        case Map::slope:
+            note_slope(i, 0, 3, 1, 4, 2);
+            break;
+        case Map::bumpslopes:
+            note_slope(i, 1, 2, 3, 4, 5);
+            break;
+        case Map::height:
+            note(covariance_error(value(0, i), value(0, i), value(1, i),
+                                  truth(layout_.height_var, i)));
+            break;
+        case Map::color:
+            for (int c = 0; c < 3; ++c)
+                note(std::abs(value(c, i) - truth(layout_.color + c, i)));
+            break;
+        case Map::colorheight:
+            for (int c = 0; c < 3; ++c)
+                note_product(c, layout_.color_height + c, layout_.color + c, layout_.height, i);
+            break;
+        case Map::colorslope:
+            for (int c = 0; c < 3; ++c) {
+                note_product(4 - 2 * c, layout_.color_slope_s + c, layout_.color + c,
+                             layout_.slope_s, i);
+                note_product(5 - 2 * c, layout_.color_slope_t + c, layout_.color + c,
+                             layout_.slope_t, i);
+            }
+            break;
+        case Map::tail:
+            note(std::abs(value(0, i) - tail_of(layout_, row, i).tau));
+            break;
+        case Map::coverage:
+            note(std::abs(value(0, i) - truth(MomentLayout::weight, i)));
+            break;
+        }
+    }
+    return largest;
+}
+
+void StorageError::texels(int level, int /*y*/, int x0, int count, MomentRow row)
+{
+    auto& blocks = blocks_[static_cast<size_t>(level)];
+    Largest& own = blocks[static_cast<size_t>(x0 / kBlockColumns)];
+    for (int x = 0; x < count; x += kTileSize) {
+        const int run = std::min(kTileSize, count - x);
+        own.half = std::max(own.half, largest_error<StoreHalf>(row.from(x), run));
+        own.single = std::max(own.single, largest_error<StoreFloat>(row.from(x), run));
+    }
+    auto raise = [count](double& largest, const double* values) {
+        for (int i = 0; i < count; ++i)
+            largest = std::max(largest, std::abs(values[i]));
+    };
+    if (layout_.slope_ss >= 0) {
+        raise(own.variance, row.plane(layout_.slope_ss));
+        raise(own.variance, row.plane(layout_.slope_tt));
+        double s = 0, t = 0;
+        raise(s, row.plane(layout_.slope_s));
+        raise(t, row.plane(layout_.slope_t));
+        own.square = std::max({own.square, s * s, t * t});
+    }
+    if (layout_.color >= 0)
+        for (int c = 0; c < 3; ++c)
+            raise(own.color, row.plane(layout_.color + c));
+
+    if (level + 1 == static_cast<int>(blocks_.size())) { // the one texel of the last level
+        if (layout_.color_var >= 0)
+            for (int c = 0; c < 3; ++c)
+                color_deviation_ = std::max(color_deviation_,
+                                            std::sqrt(row.plane(layout_.color_var + c)[0]));
+        if (layout_.slope_ss >= 0)
+            slope_deviation_ = std::sqrt(
+                std::max(row.plane(layout_.slope_ss)[0], row.plane(layout_.slope_tt)[0]));
+        largest_color_ = own.color;
+    }
+}
+
+double StorageError::yardstick(const Largest& level) const
+{
+    constexpr double kResolved = 1e-6; // of a mean square: the error of float, some 10 times
+    switch (map_) {
+    case Map::slope:
+    case Map::bumpslopes:
+        return std::max(level.variance, kResolved * (level.square + level.variance));
+    case Map::color:
+        return level.color;
+    case Map::colorheight:
+        return std::max(color_deviation_, kResolved * largest_color_);
+    case Map::colorslope:
+        return std::max(color_deviation_, kResolved * largest_color_) * slope_deviation_;
+    case Map::height:
+    case Map::tail:
+    case Map::coverage:
+        break;
+    }
+    return 1;
+}
+
+double StorageError::relative(double Largest::*error) const
+{
+    double largest = 0;
+    for (const auto& blocks : blocks_) {
+        Largest level;
+        double worst = 0;
+        for (const Largest& block : blocks) {
+            worst = std::max(worst, block.*error);
+            level.variance = std::max(level.variance, block.variance);
+            level.square = std::max(level.square, block.square);
+            level.color = std::max(level.color, block.color);
+        }
+        if (worst > 0)
+            largest = std::max(largest, worst / yardstick(level));
+    }
+    return std::min(largest, kLost);
+}
+
+double StorageError::half_error() const
+{
+    return relative(&Largest::half);
+}
+
+double StorageError::float_error() const
+{
+    return relative(&Largest::single);
+}
+
+} // namespace scree

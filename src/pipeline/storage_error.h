@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/moment_pyramid.h"
+#include "pipeline/texture_values.h"
+
+namespace scree {
+
+/// Measures what storing a map as half or as float costs, without writing it.
+///
+/// The error is that of what a reader recovers from the stored numbers, the largest over all
+/// texels of all levels:
+///   slope, bumpslopes  covariance (ss, tt, st), over the largest variance of its level
+///   height             variance of hn, over 1 (the variance of the whole map, by normalisation)
+///   color              mean color, over the largest of the map
+///   colorheight        covariance with hn, over the map's standard deviation of color
+///   colorslope         covariance with the slope, over the standard deviations of color and slope
+///   tail, coverage     the number itself
+/// Where a level's slope varies less than float resolves (1e-6 of its mean square) that is the
+/// yardstick. A number beyond the type's range counts as an error of kLost.
+class StorageError : public TexelVisitor {
+public:
+    static constexpr double kLost = 1e9;
+
+    StorageError(Map map, const MomentLayout& layout, const ValueScale& scale, int width,
+                 int height);
+
+    void texels(int level, int y, int x0, int count, MomentRow row) override;
+
+    [[nodiscard]] double half_error() const;
+    [[nodiscard]] double float_error() const;
+
+private:
+    /// Largest figures of one block of columns of one level.
+    struct Largest {
+        double half = 0, single = 0;     ///< absolute errors
+        double variance = 0, square = 0; ///< of the slope
+        double color = 0;
+    };
+    template <class Store>
+    double largest_error(MomentRow row, int count) const;
+    [[nodiscard]] double yardstick(const Largest& level) const;
+    [[nodiscard]] double relative(double Largest::*error) const;
+
+    Map map_;
+    MomentLayout layout_;
+    ValueScale scale_;
+    std::vector<std::vector<Largest>> blocks_;                       ///< [level][block]
+    double color_deviation_ = 0, slope_deviation_ = 0, largest_color_ = 0; ///< of the whole map
+};
+
+} // namespace scree

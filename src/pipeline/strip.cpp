@@ -1,0 +1,171 @@
+#include "pipeline/strip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stats/merge.h"
+
+namespace scree {
+
+namespace {
+
+Edge edge_of(Wrap wrap, Reconstruction reconstruction)
+{
+    switch (wrap) {
+    case Wrap::periodic:
+        return Edge::periodic;
+    case Wrap::clamp:
+        // maketx repeats the border texel under its Sobel; `sobel` is there to match it.
+        return reconstruction == Reconstruction::sobel ? Edge::repeat : Edge::extend;
+    case Wrap::mirror:
+        return Edge::repeat;
+    case Wrap::black:
+        break;
+    }
+    return Edge::zero;
+}
+
+} // namespace
+
+StripReader::StripReader(Source& source, const Survey& survey, const BakeOptions& options)
+    : source_(source), survey_(survey), edge_s_(edge_of(options.wrap_s, options.reconstruction)),
+      edge_t_(edge_of(options.wrap_t, options.reconstruction))
+{
+    source_.rewind();
+    read_ahead();
+}
+
+std::vector<double> StripReader::padded(const double* heights) const
+{
+    const int width = source_.width();
+    std::vector<double> row(static_cast<size_t>(width) + 2);
+    std::copy_n(heights, width, row.begin() + 1);
+    pad_row(row.data(), width, edge_s_);
+    return row;
+}
+
+void StripReader::read_ahead()
+{
+    const int count = std::min(kStripRows, source_.height() - next_row_);
+    if (count <= 0) {
+        ahead_ = {};
+        ahead_padded_.clear();
+        return;
+    }
+    source_.read(count, ahead_);
+    ahead_padded_.clear();
+    if (source_.has_heights())
+        for (int row = 0; row < count; ++row)
+            ahead_padded_.push_back(padded(
+                ahead_.height.data() + static_cast<ptrdiff_t>(row) * source_.width()));
+}
+
+bool StripReader::next(Strip& strip)
+{
+    const int height = source_.height();
+    if (next_row_ >= height)
+        return false;
+    strip.first_row = next_row_;
+    strip.count = std::min(kStripRows, height - next_row_);
+    strip.rows = std::move(ahead_);
+    strip.padded.clear();
+    strip.padded.emplace_back(); // the row above, below
+    for (auto& row : ahead_padded_)
+        strip.padded.push_back(std::move(row));
+    next_row_ += strip.count;
+    read_ahead();
+
+    if (!source_.has_heights()) {
+        strip.padded.clear();
+        return true;
+    }
+    const std::vector<double>& first = strip.padded[1];
+    const std::vector<double>& last = strip.padded.back();
+    strip.padded[0] =
+        strip.first_row > 0
+            ? above_
+            : row_beyond(edge_t_, first, height > 1 ? strip.padded[2] : first,
+                         padded(survey_.last_row.data()));
+    // The row before the last may lie in the strip before: above_ of a strip of one row.
+    const std::vector<double>& before_last =
+        height > 1 ? strip.padded[strip.padded.size() - 2] : last;
+    std::vector<double> below =
+        next_row_ < height ? ahead_padded_.front()
+                           : row_beyond(edge_t_, last, before_last,
+                                        padded(survey_.first_row.data()));
+    above_ = last;
+    strip.padded.push_back(std::move(below));
+    return true;
+}
+
+TexelMoments::TexelMoments(const MomentLayout& layout, const Survey& survey,
+                           const BakeOptions& options, int width, double texel_width,
+                           double texel_height)
+    : layout_(layout), survey_(survey), reconstruction_(options.reconstruction), width_(width),
+      texel_width_(texel_width), texel_height_(texel_height)
+{
+}
+
+namespace {
+
+/// Slopes of a normal map: one a texel, no spread inside it.
+void given_slopes(const MomentLayout& layout, const double* slope_s, const double* slope_t,
+                  int count, MomentRow out)
+{
+    double* s = out.plane(layout.slope_s);
+    double* t = out.plane(layout.slope_t);
+    for (int x = 0; x < count; ++x) {
+        const bool valid = !std::isnan(slope_s[x]);
+        s[x] = valid ? slope_s[x] : 0;
+        t[x] = valid ? slope_t[x] : 0;
+    }
+}
+
+} // namespace
+
+void TexelMoments::fill(const Strip& strip, int y, int x0, int count, MomentRow out) const
+{
+    // What a texel has no spread of stays 0.
+    for (int plane = 0; plane < layout_.planes; ++plane)
+        std::fill_n(out.plane(plane), count, 0.0);
+
+    const auto row = static_cast<size_t>(y - strip.first_row);
+    const size_t begin = row * static_cast<size_t>(width_) + static_cast<size_t>(x0);
+    const SurfaceRows& in = strip.rows;
+    const double* presence = in.height.empty() ? &in.slope_s[begin] : &in.height[begin];
+
+    double* weight = out.plane(MomentLayout::weight);
+    for (int x = 0; x < count; ++x) {
+        const double w = in.weight.empty() ? 1 : static_cast<double>(
+                                                     in.weight[begin + static_cast<size_t>(x)]);
+        weight[x] = std::isnan(presence[x]) ? 0 : w;
+    }
+    if (layout_.slope_s >= 0 && in.height.empty())
+        given_slopes(layout_, &in.slope_s[begin], &in.slope_t[begin], count, out);
+    if (layout_.slope_s >= 0 && !in.height.empty()) {
+        const HeightRows heights{strip.padded[row].data() + x0, strip.padded[row + 1].data() + x0,
+                                 strip.padded[row + 2].data() + x0};
+        const auto moments = survey_.no_data_texels > 0 ? slope_moments_with_holes : slope_moments;
+        for (int done = 0; done < count; done += kMergeRun)
+            moments(layout_, reconstruction_, heights.from(done),
+                    std::min(kMergeRun, count - done), texel_width_, texel_height_,
+                    out.from(done));
+    }
+    if (layout_.height >= 0) {
+        double* h = out.plane(layout_.height);
+        for (int x = 0; x < count; ++x)
+            h[x] = std::isnan(presence[x]) ? 0 : (presence[x] - survey_.h0) / survey_.h1;
+    }
+    if (layout_.color >= 0)
+        for (int c = 0; c < 3; ++c) {
+            // A texel without data holds the map's mean color, for what a filter blends in.
+            double* mean = out.plane(layout_.color + c);
+            const float* color = &in.color[3 * begin + static_cast<size_t>(c)];
+            const double fill = static_cast<double>(survey_.mean_color[static_cast<size_t>(c)]);
+            for (int x = 0; x < count; ++x)
+                mean[x] = weight[x] > 0 ? static_cast<double>(color[3 * static_cast<size_t>(x)])
+                                        : fill;
+        }
+}
+
+} // namespace scree

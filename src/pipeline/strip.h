@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/options.h"
+#include "pipeline/source.h"
+#include "pipeline/survey.h"
+#include "stats/height_rows.h"
+#include "stats/moment_layout.h"
+
+namespace scree {
+
+/// A strip of rows with what its texels need from beside it.
+struct Strip {
+    int first_row = 0, count = 0;
+    SurfaceRows rows;
+    /// Rows first_row - 1 to first_row + count, each width + 2 heights in world units, the texels
+    /// beyond the map filled in by its wrap; empty for a normal map.
+    std::vector<std::vector<double>> padded;
+};
+
+/// Cuts a source into strips, in order, reading one strip ahead.
+class StripReader {
+public:
+    StripReader(Source& source, const Survey& survey, const BakeOptions& options);
+
+    /// False at the end of the map.
+    bool next(Strip& strip);
+
+private:
+    void read_ahead();
+    [[nodiscard]] std::vector<double> padded(const double* heights) const;
+
+    Source& source_;
+    const Survey& survey_;
+    Edge edge_s_, edge_t_;
+    int next_row_ = 0;
+    SurfaceRows ahead_;                         ///< the strip at next_row_
+    std::vector<std::vector<double>> ahead_padded_;
+    std::vector<double> above_;                 ///< the padded row before next_row_
+};
+
+/// Level-0 moments from strips.
+class TexelMoments {
+public:
+    TexelMoments(const MomentLayout& layout, const Survey& survey, const BakeOptions& options,
+                 int width, double texel_width, double texel_height);
+
+    /// Texels [x0, x0 + count) of row `y` of the map, which lies in `strip`.
+    void fill(const Strip& strip, int y, int x0, int count, MomentRow out) const;
+
+private:
+    MomentLayout layout_;
+    const Survey& survey_;
+    Reconstruction reconstruction_;
+    int width_;
+    double texel_width_, texel_height_;
+};
+
+} // namespace scree

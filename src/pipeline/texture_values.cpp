@@ -1,0 +1,117 @@
+#include "pipeline/texture_values.h"
+
+#include <cassert>
+
+#include "stats/kurtosis.h"
+#include "stats/raw_moments.h"
+#include "texset/mip_file.h"
+
+namespace scree {
+
+namespace {
+
+/// E[x y] = cov(x, y) + E[x] E[y].
+template <class Store>
+void store_products(const double* covariance, const double* x, const double* y, int count,
+                    typename Store::Bits* stored)
+{
+    double product[kTileSize];
+    for (int i = 0; i < count; ++i)
+        product[i] = covariance[i] + x[i] * y[i];
+    store_values<Store>(product, count, stored);
+}
+
+SlopeRun slope_run(const MomentLayout& layout, MomentRow row)
+{
+    return {row.plane(layout.slope_s), row.plane(layout.slope_t), row.plane(layout.slope_ss),
+            row.plane(layout.slope_tt), row.plane(layout.slope_st)};
+}
+
+} // namespace
+
+template <class Store>
+void texture_values(Map map, const MomentLayout& layout, MomentRow row, int count,
+                    const ValueScale& scale, typename Store::Bits* const* stored)
+{
+    assert(count <= kTileSize);
+    double scratch[kTileSize];
+    switch (map) {
+    case Map::slope: // s ss st t tt
+        store_slopes<Store>(slope_run(layout, row), count, stored[0], stored[3], stored[1],
+                            stored[4], stored[2]);
+        break;
+    case Map::height:
+        store_pairs<Store>(row.plane(layout.height), row.plane(layout.height_var), count,
+                           stored[0], stored[1]);
+        break;
+    case Map::color:
+        for (int c = 0; c < 3; ++c)
+            store_values<Store>(row.plane(layout.color + c), count, stored[c]);
+        break;
+    case Map::colorheight:
+        for (int c = 0; c < 3; ++c)
+            store_products<Store>(row.plane(layout.color_height + c), row.plane(layout.color + c),
+                                  row.plane(layout.height), count, stored[c]);
+        break;
+    case Map::colorslope: // Bs Bt Gs Gt Rs Rt
+        for (int c = 0; c < 3; ++c) {
+            const double* color = row.plane(layout.color + c);
+            store_products<Store>(row.plane(layout.color_slope_s + c), color,
+                                  row.plane(layout.slope_s), count, stored[4 - 2 * c]);
+            store_products<Store>(row.plane(layout.color_slope_t + c), color,
+                                  row.plane(layout.slope_t), count, stored[5 - 2 * c]);
+        }
+        break;
+    case Map::tail:
+        for (int i = 0; i < count; ++i)
+            scratch[i] = tail_of(layout, row, i).tau;
+        store_values<Store>(scratch, count, stored[0]);
+        break;
+    case Map::coverage:
+        store_values<Store>(row.plane(MomentLayout::weight), count, stored[0]);
+        break;
+    case Map::bumpslopes: // h s t ss tt st
+        for (int i = 0; i < count; ++i)
+            scratch[i] = scale.has_height ? row.plane(layout.height)[i] * scale.h1 + scale.h0 : -1;
+        store_values<Store>(scratch, count, stored[0]);
+        store_slopes<Store>(slope_run(layout, row), count, stored[1], stored[2], stored[3],
+                            stored[4], stored[5]);
+        break;
+    }
+}
+
+template void texture_values<StoreFloat>(Map, const MomentLayout&, MomentRow, int,
+                                         const ValueScale&, StoreFloat::Bits* const*);
+template void texture_values<StoreHalf>(Map, const MomentLayout&, MomentRow, int,
+                                        const ValueScale&, StoreHalf::Bits* const*);
+
+void require_moments(Map map, MomentSet& set)
+{
+    switch (map) {
+    case Map::slope:
+        set.slope = true;
+        break;
+    case Map::height:
+        set.height = true;
+        break;
+    case Map::color:
+        set.color = true;
+        break;
+    case Map::colorheight:
+        set.color = set.height = set.color_height = true;
+        break;
+    case Map::colorslope:
+        set.color = set.slope = set.color_slope = true;
+        break;
+    case Map::tail:
+        set.slope = set.tail = true;
+        break;
+    case Map::coverage:
+        break;
+    case Map::bumpslopes: // its height is dropped again for a normal map, see bake.cpp
+        set.slope = set.height = true;
+        break;
+    }
+}
+
+} // namespace scree

@@ -1,0 +1,73 @@
+#include "pipeline/warnings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree {
+
+namespace {
+
+constexpr double kSteepest = 2, kFlattest = 1e-4;
+
+/// E[(dh/ds)^2] over Var(h) / dx^2 for white-noise heights.
+double slope_gain(const std::string& reconstruction)
+{
+    if (reconstruction == "central")
+        return 1.0 / 2;
+    return reconstruction == "sobel" ? 3.0 / 16 : 4.0 / 3;
+}
+
+void add(std::vector<std::string>& warnings, const Rejects::Count& count, const char* what)
+{
+    if (count.texels > 0)
+        warnings.push_back(fmt::format("{} texels {} count as no data; the first: {}", count.texels,
+                                       what, count.first));
+}
+
+} // namespace
+
+std::vector<std::string> rejects_warnings(const Rejects& rejects)
+{
+    std::vector<std::string> warnings;
+    add(warnings, rejects.not_finite, "that are not finite");
+    add(warnings, rejects.turned_away, "whose normal does not face outward (nz <= 0)");
+    add(warnings, rejects.marked, "marked by --no-data");
+    return warnings;
+}
+
+std::vector<std::string> scale_warnings(const Manifest& manifest, const BakeOptions& options)
+{
+    std::vector<std::string> warnings;
+    const LevelSummary& top = manifest.levels.back();
+    if (!manifest.has_height || !top.rms_slope)
+        return warnings;
+    const bool size_given = options.texel_size || options.world_size;
+    const char* remedy = size_given
+                             ? "check --height-scale and the size given"
+                             : "the map was taken to be one unit wide: set --texel-size or "
+                               "--world-size, and --height-scale";
+    if (*top.rms_slope > kSteepest)
+        warnings.push_back(fmt::format("rms slope {:.3g} is steeper than any material ({} at "
+                                       "most); {}",
+                                       *top.rms_slope, kSteepest, remedy));
+    else if (*top.rms_slope < kFlattest)
+        warnings.push_back(fmt::format("rms slope {:.3g} is flatter than any material ({} at "
+                                       "least); {}",
+                                       *top.rms_slope, kFlattest, remedy));
+
+    if (manifest.integer_bits > 0 && manifest.integer_bits <= 8 && *top.slope_sigma > 0) {
+        const double noise = manifest.quantum * manifest.quantum / 12;
+        const double explained = slope_gain(manifest.reconstruction) * noise *
+                                 (1 / (manifest.texel_width * manifest.texel_width) +
+                                  1 / (manifest.texel_height * manifest.texel_height));
+        const double share = std::min(1.0, explained / (*top.slope_sigma * *top.slope_sigma));
+        warnings.push_back(fmt::format("{}-bit heights: quantisation alone explains {:.2g} % of "
+                                       "the slope variance; use 16 bits or float if it matters",
+                                       manifest.integer_bits, 100 * share));
+    }
+    return warnings;
+}
+
+} // namespace scree

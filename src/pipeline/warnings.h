@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/options.h"
+#include "pipeline/source.h"
+#include "texset/manifest.h"
+
+namespace scree {
+
+/// Texels that were left out, counted by reason, with the first of each.
+std::vector<std::string> rejects_warnings(const Rejects& rejects);
+
+/// What the finished statistics say about the scale of the input: an rms slope above 2 or below
+/// 1e-4, and the share of the slope variance that 8-bit quantisation alone explains.
+///
+/// Quantisation to steps q adds white noise of variance q^2/12 a texel, and the bilinear surface
+/// of white noise has E[(dh/ds)^2] = (4/3) Var(h) / dx^2 (derived in docs/statistics.md).
+std::vector<std::string> scale_warnings(const Manifest& manifest, const BakeOptions& options);
+
+} // namespace scree

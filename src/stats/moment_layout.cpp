@@ -1,0 +1,66 @@
+#include "stats/moment_layout.h"
+
+#include <cstddef>
+
+namespace scree {
+
+MomentLayout::MomentLayout(const MomentSet& set)
+{
+    auto mean = [this] {
+        means.push_back(planes);
+        return planes++;
+    };
+    auto index_of = [this](int plane) {
+        int index = 0;
+        while (means[static_cast<size_t>(index)] != plane)
+            ++index;
+        return index;
+    };
+    auto covariance = [&](int plane_a, int plane_b) {
+        covariances.push_back({planes, index_of(plane_a), index_of(plane_b)});
+        return planes++;
+    };
+    auto color_covariance = [&](int other) {
+        const int first = covariance(color, other);
+        covariance(color + 1, other);
+        covariance(color + 2, other);
+        return first;
+    };
+
+    if (set.slope) {
+        slope_s = mean();
+        slope_t = mean();
+    }
+    if (set.height)
+        height = mean();
+    if (set.color) {
+        color = mean();
+        mean();
+        mean();
+    }
+
+    if (set.slope) {
+        slope_ss = covariance(slope_s, slope_s);
+        slope_tt = covariance(slope_t, slope_t);
+        slope_st = covariance(slope_s, slope_t);
+    }
+    if (set.height)
+        height_var = covariance(height, height);
+    if (set.color && set.color_height) {
+        color_var = covariance(color, color);
+        covariance(color + 1, color + 1);
+        covariance(color + 2, color + 2);
+        if (set.height)
+            color_height = color_covariance(height);
+    }
+    if (set.color && set.color_slope && set.slope) {
+        color_slope_s = color_covariance(slope_s);
+        color_slope_t = color_covariance(slope_t);
+    }
+    if (set.slope && set.tail) {
+        slope_tail = planes;
+        planes += kTailPlanes;
+    }
+}
+
+} // namespace scree

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace scree {
+
+/// Which statistics of a footprint are carried.
+struct MomentSet {
+    bool slope = true;         ///< mean and covariance of the slope
+    bool tail = false;         ///< its third and fourth central moments (needs slope)
+    bool height = false;       ///< mean and variance of the normalised height
+    bool color = false;        ///< mean color
+    bool color_height = false; ///< variance of color, its covariance with height (needs both)
+    bool color_slope = false;  ///< its covariance with the slope (needs both)
+};
+
+/// Where each statistic of a footprint lies among the planes of a row.
+///
+/// A row of texels is stored as planes of `double`, one a statistic: the weight first, then
+/// means, then central moments. Plane indices are -1 for what is not carried. Merging needs no
+/// more than these lists, so a new pair of variables is one more line here.
+struct MomentLayout {
+    /// cov(a, b), with a and b indices into `means`.
+    struct Covariance {
+        int plane;
+        int a;
+        int b;
+    };
+
+    explicit MomentLayout(const MomentSet& set);
+
+    int planes = 1;
+    static constexpr int kMaxPlanes = 32;
+    static constexpr int weight = 0; ///< coverage in [0, 1]; 0 is no data
+
+    int slope_s = -1, slope_t = -1;
+    int slope_ss = -1, slope_tt = -1, slope_st = -1;
+    /// Central moments sss sst stt ttt ssss ssst sstt sttt tttt, in consecutive planes.
+    int slope_tail = -1;
+    static constexpr int kTailPlanes = 9;
+
+    int height = -1, height_var = -1;
+
+    int color = -1;                                    ///< R G B, consecutive
+    int color_var = -1, color_height = -1;             ///< R G B, consecutive
+    int color_slope_s = -1, color_slope_t = -1;        ///< R G B, consecutive
+
+    std::vector<int> means;              ///< planes of the means
+    std::vector<Covariance> covariances; ///< all second central moments
+};
+
+/// One row of texels: `planes` arrays of doubles, `stride` apart.
+struct MomentRow {
+    double* data = nullptr;
+    int stride = 0;
+
+    [[nodiscard]] double* plane(int index) const { return data + static_cast<long>(index) * stride; }
+    /// The same row from texel x on.
+    [[nodiscard]] MomentRow from(int x) const { return {data + x, stride}; }
+};
+
+} // namespace scree

@@ -1,0 +1,72 @@
+#include "texset/channels.h"
+
+#include <algorithm>
+
+#include "math/error.h"
+
+namespace scree {
+
+const std::vector<MapInfo>& map_table()
+{
+    static const std::vector<MapInfo> table = {
+        {Map::slope,
+         "slope",
+         {"s", "ss", "st", "t", "tt"},
+         "raw moments of the slope (dh/ds, dh/dt): E[s] E[ss] E[st] E[t] E[tt]"},
+        {Map::height,
+         "height",
+         {"h", "hh"},
+         "raw moments of the normalised height hn = (h - h0) / h1: E[hn] E[hn hn]"},
+        {Map::color, "color", {"R", "G", "B"}, "mean scene-linear color E[c]"},
+        {Map::colorheight,
+         "colorheight",
+         {"R", "G", "B"},
+         "E[c hn], color times normalised height, per color channel"},
+        {Map::colorslope,
+         "colorslope",
+         {"Bs", "Bt", "Gs", "Gt", "Rs", "Rt"},
+         "E[c s] and E[c t], color times slope, per color channel"},
+        {Map::tail, "tail", {"tau"}, "weight of the K0 slope distribution, 0 Gaussian to 1 K0"},
+        {Map::coverage, "coverage", {"w"}, "share of the texel's footprint that has data"},
+        {Map::bumpslopes,
+         "bumpslopes",
+         {"b0_h", "b1_dhds", "b2_dhdt", "b3_dhds2", "b4_dhdt2", "b5_dh2dsdt"},
+         "height and raw moments of the slope, laid out as maketx --bumpslopes does"},
+    };
+    return table;
+}
+
+const MapInfo& map_info(Map map)
+{
+    const auto& table = map_table();
+    return *std::find_if(table.begin(), table.end(),
+                         [map](const MapInfo& info) { return info.map == map; });
+}
+
+namespace {
+
+bool is_for_users(Map map)
+{
+    return map != Map::coverage && map != Map::bumpslopes;
+}
+
+} // namespace
+
+Map map_named(const std::string& name)
+{
+    for (const MapInfo& info : map_table())
+        if (info.name == name && is_for_users(info.map))
+            return info.map;
+    throw Error("--maps: no map is called '" + name + "'; the maps are " + map_names());
+}
+
+std::string map_names()
+{
+    std::string names;
+    for (const MapInfo& info : map_table())
+        if (is_for_users(info.map))
+            names += (names.empty() ? "" : ",") + info.name;
+    return names;
+}
+
+} // namespace scree

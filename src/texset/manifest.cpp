@@ -1,0 +1,282 @@
+#include "texset/manifest.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "math/error.h"
+
+namespace scree {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* kSuffix = ".scree.json";
+
+template <class T>
+void put(Json& json, const char* key, const std::optional<T>& value)
+{
+    if (value)
+        json[key] = *value;
+}
+
+template <class T>
+void get(const Json& json, const char* key, std::optional<T>& value)
+{
+    if (json.contains(key) && !json.at(key).is_null())
+        value = json.at(key).get<T>();
+}
+
+Json input_to_json(const InputRecord& input)
+{
+    Json json = {{"role", input.role},         {"file", input.file},
+                 {"sha256", input.sha256},     {"width", input.width},
+                 {"height", input.height},     {"channels", input.channels},
+                 {"pixel_type", input.type}};
+    if (!input.color_space.empty())
+        json["color_space"] = input.color_space;
+    return json;
+}
+
+InputRecord input_from_json(const Json& json)
+{
+    return {json.at("role"),     json.at("file"),       json.at("sha256"),
+            json.at("width"),    json.at("height"),     json.at("channels"),
+            json.at("pixel_type"), json.value("color_space", "")};
+}
+
+Json texture_to_json(const TextureRecord& texture, const Manifest& manifest)
+{
+    const MapInfo& info = map_info(texture.map);
+    Json json = {{"map", info.name},
+                 {"file", texture.file},
+                 {"channels", info.channels},
+                 {"meaning", info.meaning},
+                 {"pixel_type", pixel_type_name(texture.type)},
+                 {"levels", manifest.levels.size()}};
+    put(json, "half_error", texture.half_error);
+    put(json, "float_error", texture.float_error);
+    return json;
+}
+
+TextureRecord texture_from_json(const Json& json)
+{
+    TextureRecord texture;
+    const std::string name = json.at("map");
+    bool known = false;
+    for (const MapInfo& info : map_table())
+        if (info.name == name) {
+            texture.map = info.map;
+            known = true;
+        }
+    if (!known)
+        throw Error("unknown map '" + name + "'");
+    texture.file = json.at("file");
+    texture.type = json.at("pixel_type") == "half" ? PixelType::half : PixelType::float32;
+    get(json, "half_error", texture.half_error);
+    get(json, "float_error", texture.float_error);
+    return texture;
+}
+
+Json level_to_json(const LevelSummary& level)
+{
+    Json json = {{"width", level.width}, {"height", level.height}, {"coverage", level.coverage}};
+    put(json, "mean_slope", level.mean_slope);
+    put(json, "rms_slope", level.rms_slope);
+    put(json, "slope_sigma", level.slope_sigma);
+    put(json, "kurtosis", level.kurtosis);
+    put(json, "tau", level.tau);
+    put(json, "height_sigma", level.height_sigma);
+    put(json, "color_height_correlation", level.color_height_correlation);
+    put(json, "mean_color", level.mean_color);
+    return json;
+}
+
+LevelSummary level_from_json(const Json& json)
+{
+    LevelSummary level;
+    level.width = json.at("width");
+    level.height = json.at("height");
+    level.coverage = json.at("coverage");
+    get(json, "mean_slope", level.mean_slope);
+    get(json, "rms_slope", level.rms_slope);
+    get(json, "slope_sigma", level.slope_sigma);
+    get(json, "kurtosis", level.kurtosis);
+    get(json, "tau", level.tau);
+    get(json, "height_sigma", level.height_sigma);
+    get(json, "color_height_correlation", level.color_height_correlation);
+    get(json, "mean_color", level.mean_color);
+    return level;
+}
+
+Json manifest_to_json(const Manifest& m)
+{
+    Json json;
+    json["format"] = "scree texture set";
+    json["format_version"] = Manifest::kFormatVersion;
+    json["program"] = "scree " + m.program_version;
+    json["name"] = m.name;
+    json["width"] = m.width;
+    json["height"] = m.height;
+    json["axes"] = "s to the right, t down; slope = dh/ds, dh/dt in world units";
+    json["wrap"] = {m.wrap_s, m.wrap_t};
+    json["texel_size"] = {m.texel_width, m.texel_height};
+    json["height_scale"] = m.height_scale;
+    json["height_offset"] = m.height_offset;
+    json["reconstruction"] = m.reconstruction;
+    json["layout"] = m.layout;
+    json["compression"] = m.compression;
+    if (m.has_height) {
+        json["h0"] = m.h0;
+        json["h1"] = m.h1;
+        json["height_range"] = {m.height_min, m.height_max};
+        json["height_bits"] = m.integer_bits;
+        json["height_quantum"] = m.quantum;
+    }
+    if (!m.working_space.empty())
+        json["working_space"] = m.working_space;
+    json["no_data_texels"] = m.no_data_texels;
+    json["half_tolerance"] = m.half_tolerance;
+    json["inputs"] = Json::array();
+    for (const auto& input : m.inputs)
+        json["inputs"].push_back(input_to_json(input));
+    json["textures"] = Json::array();
+    for (const auto& texture : m.textures)
+        json["textures"].push_back(texture_to_json(texture, m));
+    json["levels"] = Json::array();
+    for (const auto& level : m.levels)
+        json["levels"].push_back(level_to_json(level));
+    json["options"] = m.options;
+    json["warnings"] = m.warnings;
+    return json;
+}
+
+Manifest manifest_from_json(const Json& json)
+{
+    if (json.value("format", "") != "scree texture set")
+        throw Error("not a Scree manifest");
+    const int version = json.at("format_version");
+    if (version > Manifest::kFormatVersion)
+        throw Error(fmt::format("format version {}, this program reads up to {}; use a newer scree",
+                                version, Manifest::kFormatVersion));
+    Manifest m;
+    m.name = json.at("name");
+    m.program_version = json.at("program");
+    m.width = json.at("width");
+    m.height = json.at("height");
+    m.wrap_s = json.at("wrap").at(0);
+    m.wrap_t = json.at("wrap").at(1);
+    m.texel_width = json.at("texel_size").at(0);
+    m.texel_height = json.at("texel_size").at(1);
+    m.height_scale = json.at("height_scale");
+    m.height_offset = json.at("height_offset");
+    m.reconstruction = json.at("reconstruction");
+    m.layout = json.at("layout");
+    m.compression = json.at("compression");
+    m.has_height = json.contains("h0");
+    if (m.has_height) {
+        m.h0 = json.at("h0");
+        m.h1 = json.at("h1");
+        m.height_min = json.at("height_range").at(0);
+        m.height_max = json.at("height_range").at(1);
+        m.integer_bits = json.at("height_bits");
+        m.quantum = json.at("height_quantum");
+    }
+    m.working_space = json.value("working_space", "");
+    m.no_data_texels = json.at("no_data_texels");
+    m.half_tolerance = json.at("half_tolerance");
+    for (const auto& input : json.at("inputs"))
+        m.inputs.push_back(input_from_json(input));
+    for (const auto& texture : json.at("textures"))
+        m.textures.push_back(texture_from_json(texture));
+    for (const auto& level : json.at("levels"))
+        m.levels.push_back(level_from_json(level));
+    m.options = json.at("options").get<std::map<std::string, std::string>>();
+    m.warnings = json.at("warnings").get<std::vector<std::string>>();
+    return m;
+}
+
+bool is_manifest(const fs::path& file)
+{
+    const std::string name = file.filename().string();
+    const std::string suffix = kSuffix;
+    return name.size() > suffix.size() &&
+           name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
+}
+
+fs::path manifest_file(const fs::path& set)
+{
+    std::error_code failed;
+    if (!fs::exists(set, failed))
+        throw Error(fmt::format("{}: no such folder or manifest", set.string()));
+    if (!fs::is_directory(set))
+        return set;
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(set, failed))
+        if (is_manifest(entry.path()))
+            found.push_back(entry.path());
+    if (failed)
+        throw Error(fmt::format("{}: {}", set.string(), failed.message()));
+    if (found.empty())
+        throw Error(fmt::format("{}: no texture set here (no *{})", set.string(), kSuffix));
+    if (found.size() > 1)
+        throw Error(fmt::format("{}: {} manifests here; name one of them", set.string(),
+                                found.size()));
+    return found.front();
+}
+
+} // namespace
+
+std::string to_json(const Manifest& manifest)
+{
+    return manifest_to_json(manifest).dump(2) + "\n";
+}
+
+void write_manifest(const Manifest& manifest, const fs::path& folder)
+{
+    const fs::path path = folder / (manifest.name + kSuffix);
+    std::ofstream file(path, std::ios::binary);
+    file << to_json(manifest);
+    file.close();
+    if (!file)
+        throw Error(fmt::format("{}: cannot write the manifest; is there room on the disk?",
+                                path.string()));
+}
+
+Manifest read_manifest(const fs::path& set)
+{
+    const fs::path path = manifest_file(set);
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        throw Error(fmt::format("{}: cannot be opened", path.string()));
+    std::stringstream text;
+    text << file.rdbuf();
+    try {
+        return manifest_from_json(Json::parse(text.str()));
+    } catch (const nlohmann::json::exception& e) {
+        throw Error(fmt::format("{}: damaged manifest: {}", path.string(), e.what()));
+    } catch (const Error& e) {
+        throw Error(fmt::format("{}: {}", path.string(), e.what()));
+    }
+}
+
+std::set<std::string> files_of_set(const fs::path& folder)
+{
+    std::set<std::string> files;
+    try {
+        const fs::path path = manifest_file(folder);
+        for (const auto& texture : read_manifest(path).textures)
+            files.insert(texture.file);
+        files.insert(path.filename().string());
+    } catch (const Error&) {
+        return {}; // no set, or none we can read: not ours to replace
+    }
+    return files;
+}
+
+} // namespace scree

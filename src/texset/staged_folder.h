@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+
+namespace scree {
+
+/// A folder that appears whole or not at all.
+///
+/// Files are written into a hidden folder beside the final one; publish() puts it in place in one
+/// rename, exchanging it with the set that may stand there. Without publish() the destructor
+/// removes what was written, and what stood there before is untouched.
+class StagedFolder {
+public:
+    /// Throws Error when the parent cannot be made or written to, or when `folder` exists and is
+    /// neither empty nor a texture set (a manifest and the files it names, nothing else): Scree
+    /// replaces its own sets and nothing a user put there.
+    explicit StagedFolder(std::filesystem::path folder);
+    ~StagedFolder();
+    StagedFolder(const StagedFolder&) = delete;
+    StagedFolder& operator=(const StagedFolder&) = delete;
+
+    /// Where to write.
+    [[nodiscard]] const std::filesystem::path& path() const { return staging_; }
+
+    void publish();
+
+private:
+    std::filesystem::path folder_;
+    std::filesystem::path staging_;
+};
+
+} // namespace scree
