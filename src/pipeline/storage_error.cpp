@@ -128,13 +128,28 @@ void StorageError::texels(int level, int /*y*/, int x0, int count, MomentRow row
     }
 }
 
-double StorageError::yardstick(const Largest& level) const
+StorageError::Largest StorageError::largest_of(size_t level) const
+{
+    Largest all;
+    for (const Largest& block : blocks_[level]) {
+        all.half = std::max(all.half, block.half);
+        all.single = std::max(all.single, block.single);
+        all.variance = std::max(all.variance, block.variance);
+        all.square = std::max(all.square, block.square);
+        all.color = std::max(all.color, block.color);
+    }
+    return all;
+}
+
+double StorageError::yardstick(const Largest& level, const Largest& next) const
 {
     constexpr double kResolved = 1e-6; // of a mean square: the error of float, some 10 times
     switch (map_) {
     case Map::slope:
-    case Map::bumpslopes:
-        return std::max(level.variance, kResolved * (level.square + level.variance));
+    case Map::bumpslopes: {
+        const double variance = std::max(level.variance, next.variance);
+        return std::max(variance, kResolved * (level.square + level.variance));
+    }
     case Map::color:
         return level.color;
     case Map::colorheight:
@@ -152,17 +167,11 @@ double StorageError::yardstick(const Largest& level) const
 double StorageError::relative(double Largest::*error) const
 {
     double largest = 0;
-    for (const auto& blocks : blocks_) {
-        Largest level;
-        double worst = 0;
-        for (const Largest& block : blocks) {
-            worst = std::max(worst, block.*error);
-            level.variance = std::max(level.variance, block.variance);
-            level.square = std::max(level.square, block.square);
-            level.color = std::max(level.color, block.color);
-        }
-        if (worst > 0)
-            largest = std::max(largest, worst / yardstick(level));
+    for (size_t l = 0; l < blocks_.size(); ++l) {
+        const Largest level = largest_of(l);
+        const Largest next = largest_of(std::min(l + 1, blocks_.size() - 1));
+        if (level.*error > 0)
+            largest = std::max(largest, level.*error / yardstick(level, next));
     }
     return std::min(largest, kLost);
 }

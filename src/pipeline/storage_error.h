@@ -11,7 +11,9 @@ namespace scree {
 ///
 /// The error is that of what a reader recovers from the stored numbers, the largest over all
 /// texels of all levels:
-///   slope, bumpslopes  covariance (ss, tt, st), over the largest variance of its level
+///   slope, bumpslopes  covariance (ss, tt, st), over the largest variance of its level or of the
+///                      next, which filtering between texels brings in (one slope a texel, as of
+///                      normal maps, has no variance of its own at level 0)
 ///   height             variance of hn, over 1 (the variance of the whole map, by normalisation)
 ///   color              mean color, over the largest of the map
 ///   colorheight        covariance with hn, over the map's standard deviation of color
@@ -40,7 +42,8 @@ private:
     };
     template <class Store>
     double largest_error(MomentRow row, int count) const;
-    [[nodiscard]] double yardstick(const Largest& level) const;
+    [[nodiscard]] Largest largest_of(size_t level) const;
+    [[nodiscard]] double yardstick(const Largest& level, const Largest& next) const;
     [[nodiscard]] double relative(double Largest::*error) const;
 
     Map map_;
