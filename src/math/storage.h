@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Imath/half.h>
-
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -35,13 +33,35 @@ struct StoreHalf {
     using Bits = uint16_t;
     static constexpr double kLargest = 65504;
 
+    /// Rounded to the nearest, ties to even, as Imath and processors do it; without branches, so
+    /// that loops over it are vectorised. By way of float: that moves a value within 2^-24 of the
+    /// middle of two halves, far below the step between them.
     static Bits nearest(double value)
     {
-        // By way of float: the double rounding moves a value that lies within 2^-24 of the middle
-        // of two halves, which is far below the half step it is measured against.
-        return imath_float_to_half(static_cast<float>(value));
+        const uint32_t with_sign = StoreFloat::nearest(value);
+        const uint32_t bits = with_sign & 0x7fffffffU;
+        // Normal halves: round at bit 13, carry into the exponent, change its bias.
+        const uint32_t normal = (bits + 0xfffU + ((bits >> 13) & 1U) - (112U << 23)) >> 13;
+        // Below 2^-14: adding 1/2 makes the processor round at 2^-24, the step of subnormals.
+        const auto shifted = static_cast<float>(StoreFloat::value(bits)) + 0.5F;
+        uint32_t shifted_bits = 0;
+        std::memcpy(&shifted_bits, &shifted, sizeof shifted);
+        const uint32_t small = shifted_bits - 0x3f000000U;
+        const uint32_t magnitude = bits >= 0x477ff000U  ? 0x7c00U // 65520 and up: infinite
+                                   : bits < 0x38800000U ? small
+                                                        : normal;
+        return static_cast<Bits>(magnitude | ((with_sign >> 16) & 0x8000U));
     }
-    static double value(Bits bits) { return static_cast<double>(imath_half_to_float(bits)); }
+
+    static double value(Bits bits)
+    {
+        // The exponent's bias changed by a multiplication, which also mends subnormals.
+        const double magnitude =
+            StoreFloat::value(static_cast<uint32_t>(bits & 0x7fffU) << 13) * 0x1p112;
+        const double finite =
+            magnitude < 65536 ? magnitude : std::numeric_limits<double>::infinity();
+        return (bits & 0x8000U) != 0 ? -finite : finite;
+    }
 };
 
 /// The next stored number above `bits`, which holds a number >= 0 and below the largest.

@@ -47,8 +47,8 @@ std::vector<Map> choose_maps(const Source& source, const BakeOptions& options, b
             throw Error(fmt::format("--maps {}: needs heights, and a normal map has none",
                                     map_info(map).name));
         if (needs.color && !source.has_color())
-            throw Error(fmt::format("--maps {}: needs a color map; give --color",
-                                    map_info(map).name));
+            throw Error(
+                fmt::format("--maps {}: needs a color map; give --color", map_info(map).name));
     }
     if (!complete)
         maps.push_back(Map::coverage);
@@ -88,8 +88,8 @@ void expect_sensible(const BakeOptions& options)
         if (size)
             for (const double side : *size)
                 if (!(side > 0) || !std::isfinite(side))
-                    throw Error(fmt::format("{}: {} is no size; give world units above 0", option,
-                                            side));
+                    throw Error(
+                        fmt::format("{}: {} is no size; give world units above 0", option, side));
     };
     expect_positive(options.texel_size, "--texel-size");
     expect_positive(options.world_size, "--world-size");
@@ -144,8 +144,8 @@ std::vector<TextureRecord> choose_types(const std::vector<Map>& maps, Source& so
     std::vector<std::unique_ptr<StorageError>> errors;
     std::vector<TexelVisitor*> visitors;
     for (const Map map : maps) {
-        errors.push_back(std::make_unique<StorageError>(map, layout, scale, source.width(),
-                                                        source.height()));
+        errors.push_back(
+            std::make_unique<StorageError>(map, layout, scale, source.width(), source.height()));
         visitors.push_back(errors.back().get());
     }
     StripReader strips(source, found, options);
@@ -202,27 +202,24 @@ Manifest bake(Source& source, const BakeOptions& options, Manifest manifest,
     manifest.half_tolerance = options.half_tolerance;
     manifest.compression = compression_name(options.compression);
     manifest.options = options.as_given;
-    manifest.textures = choose_types(maps, source, found, layout, texels, scale, options,
-                                     manifest.name, monitor);
+    manifest.textures =
+        choose_types(maps, source, found, layout, texels, scale, options, manifest.name, monitor);
 
-    TileRowPool pool;
     std::vector<TextureOutput> outputs;
     LevelStatistics statistics(layout, source.width(), source.height(), found.h1);
     std::vector<TexelVisitor*> visitors = {&statistics};
     for (const TextureRecord& texture : manifest.textures) {
-        MipLayout mip{source.width(),      source.height(), map_info(texture.map).channels,
-                      texture.type,        options.compression,
-                      attributes_of(texture.map, manifest)};
+        MipLayout mip{source.width(), source.height(),     map_info(texture.map).channels,
+                      texture.type,   options.compression, attributes_of(texture.map, manifest)};
         TextureOutput output{texture.map,
                              std::make_unique<MipFile>(folder.path() / texture.file, mip), nullptr};
-        output.rows =
-            std::make_unique<TextureRows>(texture.map, layout, scale, *output.file, pool);
+        output.rows = std::make_unique<TextureRows>(texture.map, layout, scale, *output.file);
         visitors.push_back(output.rows.get());
         outputs.push_back(std::move(output));
     }
     StripReader strips(source, found, options);
     MomentPyramid pyramid(layout, source.width(), source.height(), visitors);
-    write_pass(strips, pyramid, texels, outputs, pool, source.height(), monitor);
+    write_pass(strips, pyramid, texels, outputs, source.height(), monitor);
 
     manifest.levels = statistics.summaries();
     for (auto& warning : rejects_warnings(found.rejects))

@@ -30,8 +30,7 @@ class ChannelRows {
 public:
     ChannelRows(std::filesystem::path file, bool with_alpha)
         : file_(std::move(file)), image_(file_), with_alpha_(with_alpha)
-    {
-    }
+    {}
 
     [[nodiscard]] const ImageInfo& info() const { return image_.info(); }
     [[nodiscard]] const std::vector<int>& channels() const { return channels_; }
@@ -79,8 +78,14 @@ public:
         std::string names;
         for (int i = 0; i < used; ++i)
             names += (i == 0 ? "" : ",") + name(i);
-        return {role,          file_.filename().string(), sha256_of_file(file_), info().width,
-                info().height, names,                     info().type,           ""};
+        return {role,
+                file_.filename().string(),
+                sha256_of_file(file_),
+                info().width,
+                info().height,
+                names,
+                info().type,
+                ""};
     }
 
 private:
@@ -115,8 +120,8 @@ std::vector<int> choose_color_channels(const ImageInfo& info)
     }
     if (rgb.size() == 3)
         return rgb;
-    const bool gray = info.channels.size() == 1 ||
-                      (info.channels.size() == 2 && info.alpha_channel == 1);
+    const bool gray =
+        info.channels.size() == 1 || (info.channels.size() == 2 && info.alpha_channel == 1);
     if (gray)
         return {0, 0, 0};
     if (info.channels.size() < 3)
@@ -272,9 +277,9 @@ public:
         const auto texels = static_cast<size_t>(count) * static_cast<size_t>(width_);
         const size_t channels = source_alpha_ ? 4 : 3;
         interleaved_.resize(texels * channels);
-        resampler_.read(count, channels,
-                        [this](int row_count, float* out) { read_linear(row_count, out); },
-                        interleaved_.data());
+        resampler_.read(
+            count, channels, [this](int row_count, float* out) { read_linear(row_count, out); },
+            interleaved_.data());
         color.resize(texels * 3);
         alpha.resize(source_alpha_ ? texels : 0);
         for (size_t i = 0; i < texels; ++i) {
@@ -358,15 +363,9 @@ int FileSource::height() const
     return height_ ? height_->rows.info().height : normal_->rows.info().height;
 }
 
-bool FileSource::has_heights() const
-{
-    return height_ != nullptr;
-}
+bool FileSource::has_heights() const { return height_ != nullptr; }
 
-bool FileSource::has_color() const
-{
-    return color_ != nullptr;
-}
+bool FileSource::has_color() const { return color_ != nullptr; }
 
 void FileSource::rewind()
 {
@@ -382,7 +381,6 @@ void FileSource::rewind()
 
 void FileSource::read(int count, SurfaceRows& rows)
 {
-    rows = {};
     if (height_)
         height_->read(next_row_, count, rows.height, rejects_);
     else
@@ -397,10 +395,9 @@ void FileSource::read(int count, SurfaceRows& rows)
 
     std::vector<double>& presence = height_ ? rows.height : rows.slope_s;
     for (size_t i = 0; i < presence.size(); ++i) {
-        const bool bad_color =
-            !rows.color.empty() &&
-            !(std::isfinite(rows.color[3 * i]) && std::isfinite(rows.color[3 * i + 1]) &&
-              std::isfinite(rows.color[3 * i + 2]));
+        const bool bad_color = !rows.color.empty() && !(std::isfinite(rows.color[3 * i]) &&
+                                                        std::isfinite(rows.color[3 * i + 1]) &&
+                                                        std::isfinite(rows.color[3 * i + 2]));
         const bool no_weight =
             !rows.weight.empty() && !(rows.weight[i] > 0 && std::isfinite(rows.weight[i]));
         if (bad_color || no_weight)
@@ -408,20 +405,11 @@ void FileSource::read(int count, SurfaceRows& rows)
     }
 }
 
-const Rejects& FileSource::rejects() const
-{
-    return rejects_;
-}
+const Rejects& FileSource::rejects() const { return rejects_; }
 
-double FileSource::quantum() const
-{
-    return height_ ? height_->quantum() : 0;
-}
+double FileSource::quantum() const { return height_ ? height_->quantum() : 0; }
 
-int FileSource::integer_bits() const
-{
-    return height_ ? height_->rows.info().integer_bits : 0;
-}
+int FileSource::integer_bits() const { return height_ ? height_->rows.info().integer_bits : 0; }
 
 std::string FileSource::working_space() const
 {

@@ -14,10 +14,30 @@ LevelStatistics::LevelStatistics(const MomentLayout& layout, int width, int heig
         Sums empty;
         empty.planes.assign(static_cast<size_t>(layout.planes), 0.0);
         const int level_width = std::max(1, width >> l);
-        blocks_.emplace_back(
-            static_cast<size_t>((level_width + kBlockColumns - 1) / kBlockColumns), empty);
+        blocks_.emplace_back(static_cast<size_t>((level_width + kBlockColumns - 1) / kBlockColumns),
+                             empty);
     }
 }
+
+namespace {
+
+/// sum w_i v_i, in eight running sums that the compiler keeps in vector registers.
+[[gnu::target_clones("avx2", "default")]] double weighted_sum(const double* w, const double* v,
+                                                              int count)
+{
+    constexpr int kLanes = 8;
+    double sums[kLanes] = {};
+    int i = 0;
+    for (; i + kLanes <= count; i += kLanes)
+        for (int lane = 0; lane < kLanes; ++lane)
+            sums[lane] += w[i + lane] * v[i + lane];
+    for (; i < count; ++i)
+        sums[0] += w[i] * v[i];
+    return ((sums[0] + sums[1]) + (sums[2] + sums[3])) +
+           ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+}
+
+} // namespace
 
 void LevelStatistics::texels(int level, int /*y*/, int x0, int count, MomentRow row)
 {
@@ -29,19 +49,15 @@ void LevelStatistics::texels(int level, int /*y*/, int x0, int count, MomentRow 
         sums.weight += weight[i];
     const int last_summed = layout_.slope_tail >= 0 ? layout_.slope_tail : layout_.planes;
     for (int plane = 1; plane < last_summed; ++plane) {
-        const double* values = row.plane(plane);
-        double sum = 0;
-        for (int i = 0; i < count; ++i)
-            sum += weight[i] * values[i];
-        sums.planes[static_cast<size_t>(plane)] += sum;
+        sums.planes[static_cast<size_t>(plane)] += weighted_sum(weight, row.plane(plane), count);
     }
     if (layout_.slope_s >= 0) {
         const double* s = row.plane(layout_.slope_s);
         const double* t = row.plane(layout_.slope_t);
-        double sum = 0;
+        double squares[kBlockColumns];
         for (int i = 0; i < count; ++i)
-            sum += weight[i] * (s[i] * s[i] + t[i] * t[i]);
-        sums.mean_square += sum;
+            squares[i] = s[i] * s[i] + t[i] * t[i];
+        sums.mean_square += weighted_sum(weight, squares, count);
     }
     if (layout_.slope_tail >= 0)
         for (int i = 0; i < count; ++i) {

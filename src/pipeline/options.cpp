@@ -54,15 +54,9 @@ void BakeMonitor::report(const char* phase, double done) const
         progress(phase, done);
 }
 
-Wrap wrap_named(const std::string& name)
-{
-    return named("--wrap", name, kWraps);
-}
+Wrap wrap_named(const std::string& name) { return named("--wrap", name, kWraps); }
 
-std::string wrap_name(Wrap wrap)
-{
-    return name_of(wrap, kWraps);
-}
+std::string wrap_name(Wrap wrap) { return name_of(wrap, kWraps); }
 
 Reconstruction reconstruction_named(const std::string& name)
 {
@@ -82,15 +76,9 @@ PixelTypeChoice pixel_type_choice_named(const std::string& name)
                                    {"float", PixelTypeChoice::float32}});
 }
 
-Layout layout_named(const std::string& name)
-{
-    return named("--layout", name, kLayouts);
-}
+Layout layout_named(const std::string& name) { return named("--layout", name, kLayouts); }
 
-std::string layout_name(Layout layout)
-{
-    return name_of(layout, kLayouts);
-}
+std::string layout_name(Layout layout) { return name_of(layout, kLayouts); }
 
 NormalRange normal_range_named(const std::string& name)
 {

@@ -27,9 +27,9 @@ struct BakeOptions {
     std::filesystem::path output;      ///< folder of the set
     std::string name;                  ///< of the set; empty: the height file's stem
 
-    std::string height_channel;   ///< name or index; empty: the only channel
-    double height_scale = 1;      ///< world units a unit of the (normalised) file value
-    double height_offset = 0;     ///< world units
+    std::string height_channel;           ///< name or index; empty: the only channel
+    double height_scale = 1;              ///< world units a unit of the (normalised) file value
+    double height_offset = 0;             ///< world units
     std::optional<double> no_data_height; ///< file values equal to it are no data
     std::optional<std::array<double, 2>> texel_size; ///< world units, s and t
     std::optional<std::array<double, 2>> world_size; ///< of the whole map, world units
@@ -50,7 +50,7 @@ struct BakeOptions {
     double half_tolerance = 0.01; ///< see pipeline/storage_error.h
     Compression compression = Compression::zip;
     Layout layout = Layout::scree;
-    int threads = 0; ///< 0: all there are
+    int threads = 0;                             ///< 0: all there are
     std::map<std::string, std::string> as_given; ///< recorded in the manifest
 };
 

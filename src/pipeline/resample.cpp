@@ -57,8 +57,7 @@ std::vector<RowResampler::Taps> RowResampler::taps_along(int from, int to)
         for (int k = first; k <= last; ++k)
             sum += 1 - std::abs(k - center) / radius;
         for (int k = first; k <= last; ++k)
-            taps.weights.push_back(
-                static_cast<float>((1 - std::abs(k - center) / radius) / sum));
+            taps.weights.push_back(static_cast<float>((1 - std::abs(k - center) / radius) / sum));
     }
     return all;
 }
@@ -68,8 +67,7 @@ void RowResampler::stretch_row(size_t channels, const float* from, float* to) co
     std::fill_n(to, static_cast<size_t>(to_width_) * channels, 0.0F);
     for (const Taps& taps : columns_) {
         for (size_t k = 0; k < taps.weights.size(); ++k) {
-            const int column =
-                wrapped(taps.first + static_cast<int>(k), from_width_, wrap_s_);
+            const int column = wrapped(taps.first + static_cast<int>(k), from_width_, wrap_s_);
             if (column < 0)
                 continue;
             const float* texel = from + static_cast<size_t>(column) * channels;
@@ -108,7 +106,8 @@ void RowResampler::read(int count, size_t channels, const Read& read, float* pix
         }
         // Rows that no later row needs; a mirrored edge looks back as far as it looks beyond.
         const int reach = static_cast<int>(taps.weights.size()) + 1;
-        while (stretched_.size() > 1 && stretched_first_ < std::min(taps.first, next_from_) - reach) {
+        while (stretched_.size() > 1 &&
+               stretched_first_ < std::min(taps.first, next_from_) - reach) {
             stretched_.erase(stretched_.begin());
             ++stretched_first_;
         }

@@ -22,9 +22,9 @@ struct Rejects {
         long long texels = 0;
         std::string first; ///< file, channel and texel
     };
-    Count not_finite;      ///< NaN or infinity
-    Count turned_away;     ///< normals with nz <= 0
-    Count marked;          ///< equal to --no-data
+    Count not_finite;  ///< NaN or infinity
+    Count turned_away; ///< normals with nz <= 0
+    Count marked;      ///< equal to --no-data
 };
 
 /// Where a bake gets its surface from: image files, or a field made on the fly.
@@ -41,6 +41,7 @@ public:
     [[nodiscard]] virtual bool has_color() const = 0;
 
     virtual void rewind() = 0;
+    /// The next `count` rows; `rows` may hold others, whose memory is used again.
     virtual void read(int count, SurfaceRows& rows) = 0;
 
     /// Texels rejected since the last rewind.

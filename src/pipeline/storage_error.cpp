@@ -119,11 +119,11 @@ void StorageError::texels(int level, int /*y*/, int x0, int count, MomentRow row
     if (level + 1 == static_cast<int>(blocks_.size())) { // the one texel of the last level
         if (layout_.color_var >= 0)
             for (int c = 0; c < 3; ++c)
-                color_deviation_ = std::max(color_deviation_,
-                                            std::sqrt(row.plane(layout_.color_var + c)[0]));
+                color_deviation_ =
+                    std::max(color_deviation_, std::sqrt(row.plane(layout_.color_var + c)[0]));
         if (layout_.slope_ss >= 0)
-            slope_deviation_ = std::sqrt(
-                std::max(row.plane(layout_.slope_ss)[0], row.plane(layout_.slope_tt)[0]));
+            slope_deviation_ =
+                std::sqrt(std::max(row.plane(layout_.slope_ss)[0], row.plane(layout_.slope_tt)[0]));
         largest_color_ = own.color;
     }
 }
@@ -176,14 +176,8 @@ double StorageError::relative(double Largest::*error) const
     return std::min(largest, kLost);
 }
 
-double StorageError::half_error() const
-{
-    return relative(&Largest::half);
-}
+double StorageError::half_error() const { return relative(&Largest::half); }
 
-double StorageError::float_error() const
-{
-    return relative(&Largest::single);
-}
+double StorageError::float_error() const { return relative(&Largest::single); }
 
 } // namespace scree

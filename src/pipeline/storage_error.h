@@ -49,7 +49,7 @@ private:
     Map map_;
     MomentLayout layout_;
     ValueScale scale_;
-    std::vector<std::vector<Largest>> blocks_;                       ///< [level][block]
+    std::vector<std::vector<Largest>> blocks_;                             ///< [level][block]
     double color_deviation_ = 0, slope_deviation_ = 0, largest_color_ = 0; ///< of the whole map
 };
 

@@ -35,29 +35,27 @@ StripReader::StripReader(Source& source, const Survey& survey, const BakeOptions
     read_ahead();
 }
 
-std::vector<double> StripReader::padded(const double* heights) const
+void StripReader::pad(const double* heights, std::vector<double>& row) const
 {
     const int width = source_.width();
-    std::vector<double> row(static_cast<size_t>(width) + 2);
+    row.resize(static_cast<size_t>(width) + 2);
     std::copy_n(heights, width, row.begin() + 1);
     pad_row(row.data(), width, edge_s_);
-    return row;
 }
 
 void StripReader::read_ahead()
 {
     const int count = std::min(kStripRows, source_.height() - next_row_);
-    if (count <= 0) {
-        ahead_ = {};
-        ahead_padded_.clear();
+    if (count <= 0)
         return;
-    }
     source_.read(count, ahead_);
-    ahead_padded_.clear();
-    if (source_.has_heights())
-        for (int row = 0; row < count; ++row)
-            ahead_padded_.push_back(padded(
-                ahead_.height.data() + static_cast<ptrdiff_t>(row) * source_.width()));
+    if (!source_.has_heights())
+        return;
+    // Rows 1 to count; 0 and count + 1 are what lies above and below, which next() knows.
+    ahead_padded_.resize(static_cast<size_t>(count) + 2);
+    for (int row = 0; row < count; ++row)
+        pad(ahead_.height.data() + static_cast<ptrdiff_t>(row) * source_.width(),
+            ahead_padded_[static_cast<size_t>(row) + 1]);
 }
 
 bool StripReader::next(Strip& strip)
@@ -67,34 +65,32 @@ bool StripReader::next(Strip& strip)
         return false;
     strip.first_row = next_row_;
     strip.count = std::min(kStripRows, height - next_row_);
-    strip.rows = std::move(ahead_);
-    strip.padded.clear();
-    strip.padded.emplace_back(); // the row above, below
-    for (auto& row : ahead_padded_)
-        strip.padded.push_back(std::move(row));
+    std::swap(strip.rows, ahead_);
+    std::swap(strip.padded, ahead_padded_);
     next_row_ += strip.count;
     read_ahead();
-
-    if (!source_.has_heights()) {
-        strip.padded.clear();
+    if (!source_.has_heights())
         return true;
-    }
+
+    std::vector<double> opposite;
+    const auto count = static_cast<size_t>(strip.count);
     const std::vector<double>& first = strip.padded[1];
-    const std::vector<double>& last = strip.padded.back();
-    strip.padded[0] =
-        strip.first_row > 0
-            ? above_
-            : row_beyond(edge_t_, first, height > 1 ? strip.padded[2] : first,
-                         padded(survey_.last_row.data()));
-    // The row before the last may lie in the strip before: above_ of a strip of one row.
-    const std::vector<double>& before_last =
-        height > 1 ? strip.padded[strip.padded.size() - 2] : last;
-    std::vector<double> below =
-        next_row_ < height ? ahead_padded_.front()
-                           : row_beyond(edge_t_, last, before_last,
-                                        padded(survey_.first_row.data()));
+    const std::vector<double>& last = strip.padded[count];
+    if (strip.first_row > 0) {
+        strip.padded[0] = above_;
+    } else {
+        pad(survey_.last_row.data(), opposite);
+        strip.padded[0] = row_beyond(edge_t_, first, strip.padded[height > 1 ? 2 : 1], opposite);
+    }
+    if (next_row_ < height) {
+        strip.padded[count + 1] = ahead_padded_[1];
+    } else {
+        // The row before the last is the one above in a strip of one row.
+        pad(survey_.first_row.data(), opposite);
+        strip.padded[count + 1] =
+            row_beyond(edge_t_, last, strip.padded[height > 1 ? count - 1 : 1], opposite);
+    }
     above_ = last;
-    strip.padded.push_back(std::move(below));
     return true;
 }
 
@@ -103,8 +99,7 @@ TexelMoments::TexelMoments(const MomentLayout& layout, const Survey& survey,
                            double texel_height)
     : layout_(layout), survey_(survey), reconstruction_(options.reconstruction), width_(width),
       texel_width_(texel_width), texel_height_(texel_height)
-{
-}
+{}
 
 namespace {
 
@@ -125,9 +120,16 @@ void given_slopes(const MomentLayout& layout, const double* slope_s, const doubl
 
 void TexelMoments::fill(const Strip& strip, int y, int x0, int count, MomentRow out) const
 {
-    // What a texel has no spread of stays 0.
-    for (int plane = 0; plane < layout_.planes; ++plane)
-        std::fill_n(out.plane(plane), count, 0.0);
+    // What a texel has no spread of is 0; slopes of heights are set whole below.
+    const bool slopes_follow = layout_.slope_s >= 0 && !strip.rows.height.empty();
+    for (const auto& covariance : layout_.covariances) {
+        const bool of_slope = covariance.a < 2 && covariance.b < 2;
+        if (!(slopes_follow && of_slope))
+            std::fill_n(out.plane(covariance.plane), count, 0.0);
+    }
+    if (layout_.slope_tail >= 0 && !slopes_follow)
+        for (int i = 0; i < MomentLayout::kTailPlanes; ++i)
+            std::fill_n(out.plane(layout_.slope_tail + i), count, 0.0);
 
     const auto row = static_cast<size_t>(y - strip.first_row);
     const size_t begin = row * static_cast<size_t>(width_) + static_cast<size_t>(x0);
@@ -136,25 +138,25 @@ void TexelMoments::fill(const Strip& strip, int y, int x0, int count, MomentRow 
 
     double* weight = out.plane(MomentLayout::weight);
     for (int x = 0; x < count; ++x) {
-        const double w = in.weight.empty() ? 1 : static_cast<double>(
-                                                     in.weight[begin + static_cast<size_t>(x)]);
+        const double w =
+            in.weight.empty() ? 1 : static_cast<double>(in.weight[begin + static_cast<size_t>(x)]);
         weight[x] = std::isnan(presence[x]) ? 0 : w;
     }
     if (layout_.slope_s >= 0 && in.height.empty())
         given_slopes(layout_, &in.slope_s[begin], &in.slope_t[begin], count, out);
-    if (layout_.slope_s >= 0 && !in.height.empty()) {
+    if (slopes_follow) {
         const HeightRows heights{strip.padded[row].data() + x0, strip.padded[row + 1].data() + x0,
                                  strip.padded[row + 2].data() + x0};
         const auto moments = survey_.no_data_texels > 0 ? slope_moments_with_holes : slope_moments;
         for (int done = 0; done < count; done += kMergeRun)
-            moments(layout_, reconstruction_, heights.from(done),
-                    std::min(kMergeRun, count - done), texel_width_, texel_height_,
-                    out.from(done));
+            moments(layout_, reconstruction_, heights.from(done), std::min(kMergeRun, count - done),
+                    texel_width_, texel_height_, out.from(done));
     }
     if (layout_.height >= 0) {
         double* h = out.plane(layout_.height);
+        const double per_h1 = 1 / survey_.h1;
         for (int x = 0; x < count; ++x)
-            h[x] = std::isnan(presence[x]) ? 0 : (presence[x] - survey_.h0) / survey_.h1;
+            h[x] = std::isnan(presence[x]) ? 0 : (presence[x] - survey_.h0) * per_h1;
     }
     if (layout_.color >= 0)
         for (int c = 0; c < 3; ++c) {
@@ -163,8 +165,8 @@ void TexelMoments::fill(const Strip& strip, int y, int x0, int count, MomentRow 
             const float* color = &in.color[3 * begin + static_cast<size_t>(c)];
             const double fill = static_cast<double>(survey_.mean_color[static_cast<size_t>(c)]);
             for (int x = 0; x < count; ++x)
-                mean[x] = weight[x] > 0 ? static_cast<double>(color[3 * static_cast<size_t>(x)])
-                                        : fill;
+                mean[x] =
+                    weight[x] > 0 ? static_cast<double>(color[3 * static_cast<size_t>(x)]) : fill;
         }
 }
 

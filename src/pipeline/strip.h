@@ -24,20 +24,20 @@ class StripReader {
 public:
     StripReader(Source& source, const Survey& survey, const BakeOptions& options);
 
-    /// False at the end of the map.
+    /// False at the end of the map. `strip` may hold another, whose memory is used again.
     bool next(Strip& strip);
 
 private:
     void read_ahead();
-    [[nodiscard]] std::vector<double> padded(const double* heights) const;
+    void pad(const double* heights, std::vector<double>& row) const;
 
     Source& source_;
     const Survey& survey_;
     Edge edge_s_, edge_t_;
     int next_row_ = 0;
-    SurfaceRows ahead_;                         ///< the strip at next_row_
+    SurfaceRows ahead_; ///< the strip at next_row_
     std::vector<std::vector<double>> ahead_padded_;
-    std::vector<double> above_;                 ///< the padded row before next_row_
+    std::vector<double> above_; ///< the padded row before next_row_
 };
 
 /// Level-0 moments from strips.

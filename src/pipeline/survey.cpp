@@ -1,10 +1,15 @@
 #include "pipeline/survey.h"
 
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "math/error.h"
+#include "pipeline/pool.h"
 
 namespace scree {
 
@@ -26,36 +31,91 @@ struct Running {
     }
 };
 
-struct HeightStatistics {
-    Running sum;
+/// What the survey adds up, of one strip or of all before it.
+struct Sums {
+    Running height; ///< of the heights; of a normal map, of its slopes, whose weight is the same
     double min = std::numeric_limits<double>::infinity();
     double max = -std::numeric_limits<double>::infinity();
+    std::array<double, 3> color{};
+    long long no_data = 0;
+    bool unit_weights = true;
 
-    void add_row(const double* height, const float* weight, int width)
+    void merge(const Sums& other)
     {
-        // Two loops a row: its mean, then deviations from it. NaN (no data) compares false.
-        double total = 0, first = 0;
-        for (int x = 0; x < width; ++x) {
-            const bool valid = height[x] == height[x];
-            const double w = valid ? (weight != nullptr ? static_cast<double>(weight[x]) : 1) : 0;
-            const double h = valid ? height[x] : 0;
-            total += w;
-            first += w * h;
-            min = valid && height[x] < min ? height[x] : min;
-            max = valid && height[x] > max ? height[x] : max;
-        }
-        if (!(total > 0))
-            return;
-        Running row{total, first / total, 0};
-        for (int x = 0; x < width; ++x) {
-            const bool valid = height[x] == height[x];
-            const double w = valid ? (weight != nullptr ? static_cast<double>(weight[x]) : 1) : 0;
-            const double d = valid ? height[x] - row.mean : 0;
-            row.squares += w * d * d;
-        }
-        sum.merge(row);
+        height.merge(other.height);
+        min = std::min(min, other.min);
+        max = std::max(max, other.max);
+        for (size_t c = 0; c < 3; ++c)
+            color[c] += other.color[c];
+        no_data += other.no_data;
+        unit_weights = unit_weights && other.unit_weights;
     }
 };
+
+/// Two loops over a row: its mean, then deviations from it.
+void add_row(const double* presence, const float* weight, int width, std::vector<double>& weights,
+             Sums& sums)
+{
+    weights.resize(static_cast<size_t>(width));
+    double* w = weights.data();
+    int missing = 0;
+    double total = 0, first = 0, min = sums.min, max = sums.max;
+    for (int x = 0; x < width; ++x) {
+        const bool valid = !std::isnan(presence[x]);
+        const double given = weight != nullptr ? static_cast<double>(weight[x]) : 1;
+        const double h = valid ? presence[x] : 0;
+        w[x] = valid ? given : 0;
+        missing += valid ? 0 : 1;
+        sums.unit_weights = sums.unit_weights && given == 1;
+        total += w[x];
+        first += w[x] * h;
+        min = valid && h < min ? h : min;
+        max = valid && h > max ? h : max;
+    }
+    sums.min = min;
+    sums.max = max;
+    sums.no_data += missing;
+    if (!(total > 0))
+        return;
+    Running row{total, first / total, 0};
+    for (int x = 0; x < width; ++x) {
+        const double d = w[x] > 0 ? presence[x] - row.mean : 0;
+        row.squares += w[x] * d * d;
+    }
+    sums.height.merge(row);
+}
+
+void add_colors(const float* color, const std::vector<double>& weights, Sums& sums)
+{
+    for (size_t x = 0; x < weights.size(); ++x)
+        if (weights[x] > 0)
+            for (size_t c = 0; c < 3; ++c)
+                sums.color[c] += weights[x] * static_cast<double>(color[3 * x + c]);
+}
+
+Sums sums_of(const SurfaceRows& rows, int count, int width)
+{
+    Sums sums;
+    std::vector<double> weights;
+    for (int row = 0; row < count; ++row) {
+        const auto begin = static_cast<size_t>(row) * static_cast<size_t>(width);
+        const double* presence = rows.height.empty() ? &rows.slope_s[begin] : &rows.height[begin];
+        add_row(presence, rows.weight.empty() ? nullptr : &rows.weight[begin], width, weights,
+                sums);
+        if (!rows.color.empty())
+            add_colors(&rows.color[3 * begin], weights, sums);
+    }
+    return sums;
+}
+
+/// A strip on its way through the survey.
+struct SurveyStrip {
+    SurfaceRows rows;
+    int first_row = 0, count = 0;
+    Sums sums;
+};
+
+using StripPtr = std::shared_ptr<SurveyStrip>;
 
 } // namespace
 
@@ -63,50 +123,59 @@ Survey survey(Source& source, const BakeMonitor& monitor)
 {
     const int width = source.width(), height = source.height();
     Survey result;
-    HeightStatistics heights;
-    std::array<double, 3> color_sum{};
-    SurfaceRows rows;
+    Sums all;
+    int next_row = 0;
+    Pool<StripPtr> used;
 
-    source.rewind();
-    for (int y0 = 0; y0 < height; y0 += kStripRows) {
-        monitor.report("survey", static_cast<double>(y0) / height);
-        const int count = std::min(kStripRows, height - y0);
-        source.read(count, rows);
-        for (int row = 0; row < count; ++row) {
-            const auto begin = static_cast<size_t>(row) * static_cast<size_t>(width);
-            const double* presence =
-                source.has_heights() ? &rows.height[begin] : &rows.slope_s[begin];
-            const float* weight = rows.weight.empty() ? nullptr : &rows.weight[begin];
-            heights.add_row(presence, weight, width);
-            for (int x = 0; x < width; ++x) {
-                const bool valid = !std::isnan(presence[x]);
-                result.no_data_texels += valid ? 0 : 1;
-                result.complete = result.complete && valid && (weight == nullptr || weight[x] == 1);
-                if (!valid || rows.color.empty())
-                    continue;
-                const double w = weight != nullptr ? static_cast<double>(weight[x]) : 1;
-                for (size_t c = 0; c < 3; ++c)
-                    color_sum[c] += w * static_cast<double>(
-                                            rows.color[3 * (begin + static_cast<size_t>(x)) + c]);
-            }
+    auto read = [&](tbb::flow_control& control) -> StripPtr {
+        if (next_row >= height) {
+            control.stop();
+            return nullptr;
         }
-        if (source.has_heights() && y0 == 0)
-            result.first_row.assign(rows.height.begin(), rows.height.begin() + width);
-        if (source.has_heights() && y0 + count == height)
-            result.last_row.assign(rows.height.end() - width, rows.height.end());
-    }
-    result.rejects = source.rejects();
-    result.weight = heights.sum.weight;
-    if (!(result.weight > 0))
+        StripPtr strip = used.take();
+        if (!strip)
+            strip = std::make_shared<SurveyStrip>();
+        strip->first_row = next_row;
+        strip->count = std::min(kStripRows, height - next_row);
+        source.read(strip->count, strip->rows);
+        next_row += strip->count;
+        monitor.report("survey", static_cast<double>(next_row) / height);
+        return strip;
+    };
+    auto sum = [&](const StripPtr& strip) {
+        strip->sums = sums_of(strip->rows, strip->count, width);
+        return strip;
+    };
+    auto merge = [&](const StripPtr& strip) {
+        all.merge(strip->sums);
+        const std::vector<double>& heights = strip->rows.height;
+        if (!heights.empty() && strip->first_row == 0)
+            result.first_row.assign(heights.begin(), heights.begin() + width);
+        if (!heights.empty() && strip->first_row + strip->count == height)
+            result.last_row.assign(heights.end() - width, heights.end());
+        used.give(strip);
+    };
+    source.rewind();
+    tbb::parallel_pipeline(
+        static_cast<size_t>(tbb::this_task_arena::max_concurrency()) + 1,
+        tbb::make_filter<void, StripPtr>(tbb::filter_mode::serial_in_order, read) &
+            tbb::make_filter<StripPtr, StripPtr>(tbb::filter_mode::parallel, sum) &
+            tbb::make_filter<StripPtr, void>(tbb::filter_mode::serial_in_order, merge));
+
+    if (!(all.height.weight > 0))
         throw Error("no texel of the map has data: all are not finite, turned away, transparent "
                     "or marked as no data");
+    result.rejects = source.rejects();
+    result.weight = all.height.weight;
+    result.no_data_texels = all.no_data;
+    result.complete = all.no_data == 0 && all.unit_weights;
     for (size_t c = 0; c < 3; ++c)
-        result.mean_color[c] = static_cast<float>(color_sum[c] / result.weight);
+        result.mean_color[c] = static_cast<float>(all.color[c] / all.height.weight);
     if (source.has_heights()) {
-        result.h0 = heights.sum.mean;
-        result.height_min = heights.min;
-        result.height_max = heights.max;
-        const double deviation = std::sqrt(heights.sum.squares / heights.sum.weight);
+        result.h0 = all.height.mean;
+        result.height_min = all.min;
+        result.height_max = all.max;
+        const double deviation = std::sqrt(all.height.squares / all.height.weight);
         result.h1 = deviation > 0 ? deviation : 1;
     }
     return result;

@@ -10,13 +10,13 @@ namespace scree {
 
 /// What must be known of a whole map before its first texel can be written.
 struct Survey {
-    double h0 = 0;                       ///< weighted mean height, world units
-    double h1 = 1;                       ///< its standard deviation; 1 where the map is flat
+    double h0 = 0; ///< weighted mean height, world units
+    double h1 = 1; ///< its standard deviation; 1 where the map is flat
     double height_min = 0, height_max = 0;
-    std::array<float, 3> mean_color{};   ///< weighted, scene-linear
-    bool complete = true;                ///< every texel has data, with weight 1
+    std::array<float, 3> mean_color{}; ///< weighted, scene-linear
+    bool complete = true;              ///< every texel has data, with weight 1
     long long no_data_texels = 0;
-    double weight = 0;                   ///< sum over the map; 0 when there is nothing to bake
+    double weight = 0;                       ///< sum over the map; 0 when there is nothing to bake
     std::vector<double> first_row, last_row; ///< heights, for a map that is periodic along t
     Rejects rejects;
 };

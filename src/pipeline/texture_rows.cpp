@@ -5,34 +5,11 @@
 
 namespace scree {
 
-std::vector<uint8_t> TileRowPool::take()
-{
-    const std::lock_guard lock(mutex_);
-    if (free_.empty())
-        return {};
-    // The largest, so that buffers of level 0 are not grown again and again from small ones.
-    const auto largest =
-        std::max_element(free_.begin(), free_.end(), [](const auto& a, const auto& b) {
-            return a.capacity() < b.capacity();
-        });
-    std::swap(*largest, free_.back());
-    std::vector<uint8_t> bytes = std::move(free_.back());
-    free_.pop_back();
-    return bytes;
-}
-
-void TileRowPool::give(std::vector<uint8_t> bytes)
-{
-    const std::lock_guard lock(mutex_);
-    free_.push_back(std::move(bytes));
-}
-
 TextureRows::TextureRows(Map map, const MomentLayout& layout, const ValueScale& scale,
-                         const MipFile& file, TileRowPool& pool)
-    : map_(map), layout_(layout), scale_(scale), file_(file), pool_(pool),
+                         const MipFile& file)
+    : map_(map), layout_(layout), scale_(scale), file_(file),
       open_(static_cast<size_t>(file.levels()))
-{
-}
+{}
 
 void TextureRows::rows_begin(int level, int begin, int end)
 {
@@ -40,10 +17,9 @@ void TextureRows::rows_begin(int level, int begin, int end)
     for (int tile_y = begin / kTileSize; tile_y <= (end - 1) / kTileSize; ++tile_y) {
         if (open.count(tile_y) != 0)
             continue;
-        TileRow& row = open[tile_y];
-        if (level == 0) // the large ones; the rest together are a third of them
-            row.bytes = pool_.take();
+        TileRow row = level == 0 ? used_.take() : TileRow();
         file_.prepare(row, level, tile_y);
+        open.emplace(tile_y, std::move(row));
     }
 }
 
@@ -104,9 +80,12 @@ void TextureRows::rows_end(int level, int end)
     }
 }
 
-std::vector<TileRow> TextureRows::take_finished()
+void TextureRows::recycle(TileRow row)
 {
-    return std::exchange(finished_, {});
+    if (row.level == 0)
+        used_.give(std::move(row));
 }
+
+std::vector<TileRow> TextureRows::take_finished() { return std::exchange(finished_, {}); }
 
 } // namespace scree

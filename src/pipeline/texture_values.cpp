@@ -18,7 +18,7 @@ void store_products(const double* covariance, const double* x, const double* y, 
     double product[kTileSize];
     for (int i = 0; i < count; ++i)
         product[i] = covariance[i] + x[i] * y[i];
-    store_values<Store>(product, count, stored);
+    store_values(product, count, stored);
 }
 
 SlopeRun slope_run(const MomentLayout& layout, MomentRow row)
@@ -37,16 +37,16 @@ void texture_values(Map map, const MomentLayout& layout, MomentRow row, int coun
     double scratch[kTileSize];
     switch (map) {
     case Map::slope: // s ss st t tt
-        store_slopes<Store>(slope_run(layout, row), count, stored[0], stored[3], stored[1],
-                            stored[4], stored[2]);
+        store_slopes(slope_run(layout, row), count, stored[0], stored[3], stored[1], stored[4],
+                     stored[2]);
         break;
     case Map::height:
-        store_pairs<Store>(row.plane(layout.height), row.plane(layout.height_var), count,
-                           stored[0], stored[1]);
+        store_pairs(row.plane(layout.height), row.plane(layout.height_var), count, stored[0],
+                    stored[1]);
         break;
     case Map::color:
         for (int c = 0; c < 3; ++c)
-            store_values<Store>(row.plane(layout.color + c), count, stored[c]);
+            store_values(row.plane(layout.color + c), count, stored[c]);
         break;
     case Map::colorheight:
         for (int c = 0; c < 3; ++c)
@@ -65,25 +65,25 @@ void texture_values(Map map, const MomentLayout& layout, MomentRow row, int coun
     case Map::tail:
         for (int i = 0; i < count; ++i)
             scratch[i] = tail_of(layout, row, i).tau;
-        store_values<Store>(scratch, count, stored[0]);
+        store_values(scratch, count, stored[0]);
         break;
     case Map::coverage:
-        store_values<Store>(row.plane(MomentLayout::weight), count, stored[0]);
+        store_values(row.plane(MomentLayout::weight), count, stored[0]);
         break;
     case Map::bumpslopes: // h s t ss tt st
         for (int i = 0; i < count; ++i)
             scratch[i] = scale.has_height ? row.plane(layout.height)[i] * scale.h1 + scale.h0 : -1;
-        store_values<Store>(scratch, count, stored[0]);
-        store_slopes<Store>(slope_run(layout, row), count, stored[1], stored[2], stored[3],
-                            stored[4], stored[5]);
+        store_values(scratch, count, stored[0]);
+        store_slopes(slope_run(layout, row), count, stored[1], stored[2], stored[3], stored[4],
+                     stored[5]);
         break;
     }
 }
 
 template void texture_values<StoreFloat>(Map, const MomentLayout&, MomentRow, int,
                                          const ValueScale&, StoreFloat::Bits* const*);
-template void texture_values<StoreHalf>(Map, const MomentLayout&, MomentRow, int,
-                                        const ValueScale&, StoreHalf::Bits* const*);
+template void texture_values<StoreHalf>(Map, const MomentLayout&, MomentRow, int, const ValueScale&,
+                                        StoreHalf::Bits* const*);
 
 void require_moments(Map map, MomentSet& set)
 {

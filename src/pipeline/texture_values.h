@@ -8,8 +8,8 @@ namespace scree {
 
 /// What the numbers of a map need besides moments.
 struct ValueScale {
-    double h0 = 0, h1 = 1;   ///< back from normalised to world height, for the bumpslopes layout
-    bool has_height = true;  ///< without, the bumpslopes height is -1, as maketx writes it
+    double h0 = 0, h1 = 1;  ///< back from normalised to world height, for the bumpslopes layout
+    bool has_height = true; ///< without, the bumpslopes height is -1, as maketx writes it
 };
 
 /// The channels of a map for a run of texels, as the file stores them.

@@ -44,10 +44,9 @@ std::vector<std::string> scale_warnings(const Manifest& manifest, const BakeOpti
     if (!manifest.has_height || !top.rms_slope)
         return warnings;
     const bool size_given = options.texel_size || options.world_size;
-    const char* remedy = size_given
-                             ? "check --height-scale and the size given"
-                             : "the map was taken to be one unit wide: set --texel-size or "
-                               "--world-size, and --height-scale";
+    const char* remedy = size_given ? "check --height-scale and the size given"
+                                    : "the map was taken to be one unit wide: set --texel-size or "
+                                      "--world-size, and --height-scale";
     if (*top.rms_slope > kSteepest)
         warnings.push_back(fmt::format("rms slope {:.3g} is steeper than any material ({} at "
                                        "most); {}",

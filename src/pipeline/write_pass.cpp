@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "math/error.h"
+#include "pipeline/pool.h"
 
 namespace scree {
 
@@ -20,6 +21,42 @@ struct FinishedRow {
 
 using StripPtr = std::shared_ptr<Strip>;
 using Finished = std::shared_ptr<std::vector<FinishedRow>>;
+
+/// The first two stages of a pass: strips read, and run through the pyramid.
+class StripStages {
+public:
+    StripStages(StripReader& reader, MomentPyramid& pyramid, const TexelMoments& texels)
+        : reader_(reader), pyramid_(pyramid), texels_(texels)
+    {}
+
+    /// The next strip, or the end of the pipeline.
+    StripPtr read(tbb::flow_control& control)
+    {
+        StripPtr strip = used_.take();
+        if (!strip)
+            strip = std::make_shared<Strip>();
+        if (!reader_.next(*strip))
+            control.stop();
+        return strip;
+    }
+
+    /// Returns the number of rows done.
+    int make_texels(const StripPtr& strip)
+    {
+        pyramid_.push(strip->count, [&](int y, int x0, int count, MomentRow row) {
+            texels_.fill(*strip, y, x0, count, row);
+        });
+        const int done = strip->first_row + strip->count;
+        used_.give(strip);
+        return done;
+    }
+
+private:
+    StripReader& reader_;
+    MomentPyramid& pyramid_;
+    const TexelMoments& texels_;
+    Pool<StripPtr> used_;
+};
 
 /// Compresses all tiles of a strip's finished rows.
 void encode_all(std::vector<FinishedRow>& finished)
@@ -49,24 +86,16 @@ void expect_no_overflow(const std::vector<TextureOutput>& outputs)
 } // namespace
 
 void write_pass(StripReader& strips, MomentPyramid& pyramid, const TexelMoments& texels,
-                std::vector<TextureOutput>& outputs, TileRowPool& pool, int height,
-                const BakeMonitor& monitor)
+                std::vector<TextureOutput>& outputs, int height, const BakeMonitor& monitor)
 {
-    auto read = [&](tbb::flow_control& control) -> StripPtr {
-        auto strip = std::make_shared<Strip>();
-        if (!strips.next(*strip))
-            control.stop();
-        return strip;
-    };
+    StripStages stages(strips, pyramid, texels);
     auto make_texels = [&](const StripPtr& strip) -> Finished {
-        pyramid.push(strip->count, [&](int y, int x0, int count, MomentRow row) {
-            texels.fill(*strip, y, x0, count, row);
-        });
+        const int done = stages.make_texels(strip);
         auto finished = std::make_shared<std::vector<FinishedRow>>();
         for (TextureOutput& output : outputs)
             for (TileRow& row : output.rows->take_finished())
                 finished->push_back({&output, std::move(row)});
-        monitor.report("bake", static_cast<double>(strip->first_row + strip->count) / height);
+        monitor.report("bake", static_cast<double>(done) / height);
         return finished;
     };
     auto encode = [](const Finished& finished) -> Finished {
@@ -76,8 +105,7 @@ void write_pass(StripReader& strips, MomentPyramid& pyramid, const TexelMoments&
     auto write = [&](const Finished& finished) {
         for (FinishedRow& f : *finished) {
             f.output->file->write(f.row);
-            if (f.row.level == 0)
-                pool.give(std::move(f.row.bytes));
+            f.output->rows->recycle(std::move(f.row));
         }
     };
 
@@ -85,7 +113,8 @@ void write_pass(StripReader& strips, MomentPyramid& pyramid, const TexelMoments&
     const auto in_flight = static_cast<size_t>(tbb::this_task_arena::max_concurrency()) + 1;
     tbb::parallel_pipeline(
         in_flight,
-        tbb::make_filter<void, StripPtr>(tbb::filter_mode::serial_in_order, read) &
+        tbb::make_filter<void, StripPtr>(tbb::filter_mode::serial_in_order,
+                                         [&](tbb::flow_control& c) { return stages.read(c); }) &
             tbb::make_filter<StripPtr, Finished>(tbb::filter_mode::serial_in_order, make_texels) &
             tbb::make_filter<Finished, Finished>(tbb::filter_mode::parallel, encode) &
             tbb::make_filter<Finished, void>(tbb::filter_mode::serial_in_order, write));
@@ -97,21 +126,15 @@ void write_pass(StripReader& strips, MomentPyramid& pyramid, const TexelMoments&
 void measure_pass(StripReader& strips, MomentPyramid& pyramid, const TexelMoments& texels,
                   int height, const BakeMonitor& monitor)
 {
-    auto read = [&](tbb::flow_control& control) -> StripPtr {
-        auto strip = std::make_shared<Strip>();
-        if (!strips.next(*strip))
-            control.stop();
-        return strip;
-    };
-    auto measure = [&](const StripPtr& strip) {
-        pyramid.push(strip->count, [&](int y, int x0, int count, MomentRow row) {
-            texels.fill(*strip, y, x0, count, row);
-        });
-        monitor.report("measure", static_cast<double>(strip->first_row + strip->count) / height);
-    };
+    StripStages stages(strips, pyramid, texels);
     tbb::parallel_pipeline(
-        2, tbb::make_filter<void, StripPtr>(tbb::filter_mode::serial_in_order, read) &
-               tbb::make_filter<StripPtr, void>(tbb::filter_mode::serial_in_order, measure));
+        2, tbb::make_filter<void, StripPtr>(tbb::filter_mode::serial_in_order,
+                                            [&](tbb::flow_control& c) { return stages.read(c); }) &
+               tbb::make_filter<StripPtr, void>(
+                   tbb::filter_mode::serial_in_order, [&](const StripPtr& strip) {
+                       const int done = stages.make_texels(strip);
+                       monitor.report("measure", static_cast<double>(done) / height);
+                   }));
 }
 
 } // namespace scree

@@ -24,8 +24,7 @@ struct TextureOutput {
 /// parallel inside), compression (parallel), write (one at a time, in order). Throws Error, also
 /// when a number does not fit the half floats that were asked for.
 void write_pass(StripReader& strips, MomentPyramid& pyramid, const TexelMoments& texels,
-                std::vector<TextureOutput>& outputs, TileRowPool& pool, int height,
-                const BakeMonitor& monitor);
+                std::vector<TextureOutput>& outputs, int height, const BakeMonitor& monitor);
 
 /// Runs strips through the pyramid for the visitors' sake alone.
 void measure_pass(StripReader& strips, MomentPyramid& pyramid, const TexelMoments& texels,

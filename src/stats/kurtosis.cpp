@@ -10,10 +10,7 @@ namespace {
 /// A variance below this share of the mean square is what rounding leaves of a plane.
 constexpr double kRounding = 1e-28;
 
-double clamp_weight(double tau)
-{
-    return std::clamp(tau, 0.0, 1.0);
-}
+double clamp_weight(double tau) { return std::clamp(tau, 0.0, 1.0); }
 
 } // namespace
 
@@ -34,8 +31,8 @@ Tail tail_of(const MomentLayout& layout, MomentRow row, int x)
         return {0, 0};
     if (det <= 1e-12 * trace * trace) {
         // Along the eigenvector of the larger eigenvalue, the trace.
-        const double length = std::hypot(ss, st) > std::hypot(st, tt) ? std::hypot(ss, st)
-                                                                      : std::hypot(st, tt);
+        const double length =
+            std::hypot(ss, st) > std::hypot(st, tt) ? std::hypot(ss, st) : std::hypot(st, tt);
         const bool by_s = std::hypot(ss, st) > std::hypot(st, tt);
         const double u = (by_s ? ss : st) / length;
         const double v = (by_s ? st : tt) / length;

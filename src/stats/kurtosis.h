@@ -6,8 +6,9 @@ namespace scree {
 
 /// How heavy the tails of a footprint's slopes are.
 struct Tail {
-    double kurtosis; ///< Mardia's, 8 for a Gaussian, 16 for K0; 0 where nothing varies beyond rounding
-    double tau;      ///< weight of K0 in the mixture (1 - tau) Gaussian + tau K0, in [0, 1]
+    double
+        kurtosis; ///< Mardia's, 8 for a Gaussian, 16 for K0; 0 where nothing varies beyond rounding
+    double tau;   ///< weight of K0 in the mixture (1 - tau) Gaussian + tau K0, in [0, 1]
 };
 
 /// Mardia's bivariate kurtosis of the slope and the mixture weight that matches it.

@@ -1,5 +1,6 @@
 #include "stats/merge.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 
@@ -18,7 +19,10 @@ struct Scratch {
     Run offset[kMaxMeans][kMaxParts];
 };
 
-void merge_weights(const MergePart* parts, int part_count, double* weight, int count, Scratch& tmp)
+// The clones give the same numbers on every machine: no fused multiply-add.
+
+[[gnu::target_clones("avx2", "default")]] void
+merge_weights(const MergePart* parts, int part_count, double* weight, int count, Scratch& tmp)
 {
     for (int x = 0; x < count; ++x)
         weight[x] = 0;
@@ -32,11 +36,12 @@ void merge_weights(const MergePart* parts, int part_count, double* weight, int c
     }
     for (int k = 0; k < part_count; ++k)
         for (int x = 0; x < count; ++x)
-            tmp.part[k][x] = weight[x] > 0 ? tmp.part[k][x] / weight[x] : 0;
+            tmp.part[k][x] /= weight[x] > 0 ? weight[x] : 1;
 }
 
-void merge_mean(const MergePart* parts, int part_count, int plane, double* mean, int count,
-                const Scratch& tmp, Run* offset)
+[[gnu::target_clones("avx2", "default")]] void merge_mean(const MergePart* parts, int part_count,
+                                                          int plane, double* mean, int count,
+                                                          const Scratch& tmp, Run* offset)
 {
     const double* first = parts[0].row.plane(plane);
     for (int x = 0; x < count; ++x)
@@ -53,8 +58,9 @@ void merge_mean(const MergePart* parts, int part_count, int plane, double* mean,
     }
 }
 
-void merge_covariance(const MergePart* parts, int part_count, int plane, const Run* a, const Run* b,
-                      double* covariance, int count, const Scratch& tmp)
+[[gnu::target_clones("avx2", "default")]] void
+merge_covariance(const MergePart* parts, int part_count, int plane, const Run* a, const Run* b,
+                 double* covariance, int count, const Scratch& tmp)
 {
     for (int x = 0; x < count; ++x)
         covariance[x] = 0;
@@ -66,43 +72,46 @@ void merge_covariance(const MergePart* parts, int part_count, int plane, const R
 }
 
 /// Third and fourth central moments of the slope (s, t), with `a` and `b` the offsets of its means.
-void merge_tail(const MomentLayout& layout, const MergePart* parts, int part_count, const Run* a,
-                const Run* b, MomentRow merged, int count, const Scratch& tmp)
+[[gnu::target_clones("avx2", "default")]] void
+merge_tail(const MomentLayout& layout, const MergePart* parts, int part_count, const Run* a,
+           const Run* b, MomentRow merged, int count, const Scratch& tmp)
 {
-    double* out[MomentLayout::kTailPlanes];
-    for (int i = 0; i < MomentLayout::kTailPlanes; ++i) {
-        out[i] = merged.plane(layout.slope_tail + i);
-        for (int x = 0; x < count; ++x)
-            out[i][x] = 0;
-    }
+    Run out[MomentLayout::kTailPlanes] = {};
     for (int k = 0; k < part_count; ++k) {
         const MomentRow& row = parts[k].row;
         const double* ss = row.plane(layout.slope_ss);
         const double* tt = row.plane(layout.slope_tt);
         const double* st = row.plane(layout.slope_st);
-        const double* in[MomentLayout::kTailPlanes];
-        for (int i = 0; i < MomentLayout::kTailPlanes; ++i)
-            in[i] = row.plane(layout.slope_tail + i);
+        const double *sss = row.plane(layout.slope_tail), *sst = row.plane(layout.slope_tail + 1),
+                     *stt = row.plane(layout.slope_tail + 2),
+                     *ttt = row.plane(layout.slope_tail + 3),
+                     *ssss = row.plane(layout.slope_tail + 4),
+                     *ssst = row.plane(layout.slope_tail + 5),
+                     *sstt = row.plane(layout.slope_tail + 6),
+                     *sttt = row.plane(layout.slope_tail + 7),
+                     *tttt = row.plane(layout.slope_tail + 8);
         for (int x = 0; x < count; ++x) {
             const double p = tmp.part[k][x];
             const double u = a[k][x];
             const double v = b[k][x];
             const double c20 = ss[x], c11 = st[x], c02 = tt[x];
-            const double c30 = in[0][x], c21 = in[1][x], c12 = in[2][x], c03 = in[3][x];
+            const double c30 = sss[x], c21 = sst[x], c12 = stt[x], c03 = ttt[x];
             out[0][x] += p * (c30 + 3 * u * c20 + u * u * u);
             out[1][x] += p * (c21 + 2 * u * c11 + v * c20 + u * u * v);
             out[2][x] += p * (c12 + 2 * v * c11 + u * c02 + u * v * v);
             out[3][x] += p * (c03 + 3 * v * c02 + v * v * v);
-            out[4][x] += p * (in[4][x] + 4 * u * c30 + 6 * u * u * c20 + u * u * u * u);
-            out[5][x] += p * (in[5][x] + 3 * u * c21 + v * c30 + 3 * u * u * c11 +
-                              3 * u * v * c20 + u * u * u * v);
-            out[6][x] += p * (in[6][x] + 2 * v * c21 + 2 * u * c12 + v * v * c20 +
-                              4 * u * v * c11 + u * u * c02 + u * u * v * v);
-            out[7][x] += p * (in[7][x] + 3 * v * c12 + u * c03 + 3 * v * v * c11 +
-                              3 * u * v * c02 + u * v * v * v);
-            out[8][x] += p * (in[8][x] + 4 * v * c03 + 6 * v * v * c02 + v * v * v * v);
+            out[4][x] += p * (ssss[x] + 4 * u * c30 + 6 * u * u * c20 + u * u * u * u);
+            out[5][x] += p * (ssst[x] + 3 * u * c21 + v * c30 + 3 * u * u * c11 + 3 * u * v * c20 +
+                              u * u * u * v);
+            out[6][x] += p * (sstt[x] + 2 * v * c21 + 2 * u * c12 + v * v * c20 + 4 * u * v * c11 +
+                              u * u * c02 + u * u * v * v);
+            out[7][x] += p * (sttt[x] + 3 * v * c12 + u * c03 + 3 * v * v * c11 + 3 * u * v * c02 +
+                              u * v * v * v);
+            out[8][x] += p * (tttt[x] + 4 * v * c03 + 6 * v * v * c02 + v * v * v * v);
         }
     }
+    for (int i = 0; i < MomentLayout::kTailPlanes; ++i)
+        std::copy_n(out[i], count, merged.plane(layout.slope_tail + i));
 }
 
 } // namespace

@@ -42,9 +42,9 @@ struct MomentLayout {
 
     int height = -1, height_var = -1;
 
-    int color = -1;                                    ///< R G B, consecutive
-    int color_var = -1, color_height = -1;             ///< R G B, consecutive
-    int color_slope_s = -1, color_slope_t = -1;        ///< R G B, consecutive
+    int color = -1;                             ///< R G B, consecutive
+    int color_var = -1, color_height = -1;      ///< R G B, consecutive
+    int color_slope_s = -1, color_slope_t = -1; ///< R G B, consecutive
 
     std::vector<int> means;              ///< planes of the means
     std::vector<Covariance> covariances; ///< all second central moments
@@ -55,7 +55,10 @@ struct MomentRow {
     double* data = nullptr;
     int stride = 0;
 
-    [[nodiscard]] double* plane(int index) const { return data + static_cast<long>(index) * stride; }
+    [[nodiscard]] double* plane(int index) const
+    {
+        return data + static_cast<long>(index) * stride;
+    }
     /// The same row from texel x on.
     [[nodiscard]] MomentRow from(int x) const { return {data + x, stride}; }
 };

@@ -4,10 +4,7 @@
 
 namespace scree {
 
-int coarser_size(int size)
-{
-    return std::max(1, size / 2);
-}
+int coarser_size(int size) { return std::max(1, size / 2); }
 
 int level_count(int width, int height)
 {
@@ -58,7 +55,7 @@ void Reduction::row(const MomentRow* fine_rows, const Share& rows, int x0, int x
                     MomentRow coarse) const
 {
     // Rows first (contiguous), then columns (gathered), in runs short enough for the cache.
-    constexpr int kRun = kMergeRun / 3;         // coarse texels, so that 3 kRun fine ones fit a run
+    constexpr int kRun = kMergeRun / 3; // coarse texels, so that 3 kRun fine ones fit a run
     constexpr int kMaxPlanes = MomentLayout::kMaxPlanes;
     static_assert(3 * kRun <= kMergeRun);
     double merged_data[kMaxPlanes * kMergeRun]; // the fine texels of the run, rows merged

@@ -1,17 +1,10 @@
 #include "stats/raw_moments.h"
 
+#include "math/storage.h"
+
 namespace scree {
 
 namespace {
-
-/// Steps `second` up until it is not below `square`, the exact square of a stored number: the
-/// nearest stored number can be below it by less than one step.
-template <class Store>
-void keep_above(double square, typename Store::Bits& second)
-{
-    if (Store::value(second) < square)
-        second = step_up<Store>(second);
-}
 
 /// Determinant of the covariance that a reader recovers.
 template <class Store>
@@ -34,44 +27,85 @@ void make_semi_definite(double s, double t, typename Store::Bits& ss, typename S
     }
 }
 
-} // namespace
-
 template <class Store>
-void store_pairs(const double* mean, const double* variance, int count, typename Store::Bits* x,
-                 typename Store::Bits* xx)
+[[gnu::always_inline]] inline void pairs(const double* mean, const double* variance, int count,
+                                         typename Store::Bits* __restrict x,
+                                         typename Store::Bits* __restrict xx)
 {
+    using Bits = typename Store::Bits;
     for (int i = 0; i < count; ++i) {
-        x[i] = Store::nearest(mean[i]);
-        const double square = Store::value(x[i]) * Store::value(x[i]); // exact in double
-        xx[i] = Store::nearest(square + variance[i]);
-        keep_above<Store>(square, xx[i]);
+        const Bits stored = Store::nearest(mean[i]);
+        const double square = Store::value(stored) * Store::value(stored); // exact in double
+        const Bits second = Store::nearest(square + variance[i]);
+        x[i] = stored;
+        // The nearest stored number can be below the square by less than one step.
+        xx[i] = static_cast<Bits>(second + (Store::value(second) < square ? 1 : 0));
     }
 }
 
 template <class Store>
-void store_slopes(const SlopeRun& slopes, int count, typename Store::Bits* s,
-                  typename Store::Bits* t, typename Store::Bits* ss, typename Store::Bits* tt,
-                  typename Store::Bits* st)
+[[gnu::always_inline]] inline void
+slopes(const SlopeRun& run, int count, typename Store::Bits* __restrict s,
+       typename Store::Bits* __restrict t, typename Store::Bits* __restrict ss,
+       typename Store::Bits* __restrict tt, typename Store::Bits* __restrict st)
 {
-    store_pairs<Store>(slopes.s, slopes.ss, count, s, ss);
-    store_pairs<Store>(slopes.t, slopes.tt, count, t, tt);
+    pairs<Store>(run.s, run.ss, count, s, ss);
+    pairs<Store>(run.t, run.tt, count, t, tt);
     for (int i = 0; i < count; ++i)
-        st[i] = Store::nearest(Store::value(s[i]) * Store::value(t[i]) + slopes.st[i]);
+        st[i] = Store::nearest(Store::value(s[i]) * Store::value(t[i]) + run.st[i]);
 
     // Hardly any texel needs mending, so look first, in a loop without branches.
     int indefinite = 0;
     for (int i = 0; i < count; ++i)
-        indefinite += determinant<Store>(Store::value(s[i]), Store::value(t[i]), ss[i], tt[i],
-                                         st[i]) < 0;
+        indefinite +=
+            determinant<Store>(Store::value(s[i]), Store::value(t[i]), ss[i], tt[i], st[i]) < 0 ? 1
+                                                                                                : 0;
     for (int i = 0; indefinite > 0 && i < count; ++i)
         make_semi_definite<Store>(Store::value(s[i]), Store::value(t[i]), ss[i], tt[i], st[i]);
 }
 
-template void store_pairs<StoreFloat>(const double*, const double*, int, uint32_t*, uint32_t*);
-template void store_pairs<StoreHalf>(const double*, const double*, int, uint16_t*, uint16_t*);
-template void store_slopes<StoreFloat>(const SlopeRun&, int, uint32_t*, uint32_t*, uint32_t*,
-                                       uint32_t*, uint32_t*);
-template void store_slopes<StoreHalf>(const SlopeRun&, int, uint16_t*, uint16_t*, uint16_t*,
-                                      uint16_t*, uint16_t*);
+} // namespace
+
+// One function a type, not a template, since only functions can be cloned for a processor.
+
+[[gnu::target_clones("avx2", "default")]] void
+store_pairs(const double* mean, const double* variance, int count, uint32_t* x, uint32_t* xx)
+{
+    pairs<StoreFloat>(mean, variance, count, x, xx);
+}
+
+[[gnu::target_clones("avx2", "default")]] void
+store_pairs(const double* mean, const double* variance, int count, uint16_t* x, uint16_t* xx)
+{
+    pairs<StoreHalf>(mean, variance, count, x, xx);
+}
+
+[[gnu::target_clones("avx2", "default")]] void store_slopes(const SlopeRun& run, int count,
+                                                            uint32_t* s, uint32_t* t, uint32_t* ss,
+                                                            uint32_t* tt, uint32_t* st)
+{
+    slopes<StoreFloat>(run, count, s, t, ss, tt, st);
+}
+
+[[gnu::target_clones("avx2", "default")]] void store_slopes(const SlopeRun& run, int count,
+                                                            uint16_t* s, uint16_t* t, uint16_t* ss,
+                                                            uint16_t* tt, uint16_t* st)
+{
+    slopes<StoreHalf>(run, count, s, t, ss, tt, st);
+}
+
+[[gnu::target_clones("avx2", "default")]] void store_values(const double* values, int count,
+                                                            uint32_t* stored)
+{
+    for (int i = 0; i < count; ++i)
+        stored[i] = StoreFloat::nearest(values[i]);
+}
+
+[[gnu::target_clones("avx2", "default")]] void store_values(const double* values, int count,
+                                                            uint16_t* stored)
+{
+    for (int i = 0; i < count; ++i)
+        stored[i] = StoreHalf::nearest(values[i]);
+}
 
 } // namespace scree

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "math/storage.h"
+#include <cstdint>
 
 namespace scree {
 
@@ -13,10 +13,9 @@ namespace scree {
 ///
 /// mean, variance  `count` numbers, variance >= 0; what exceeds the type becomes infinite (see
 ///                 pipeline/storage_error.h, which keeps `auto` from choosing such a type)
-/// x, xx           the stored numbers
-template <class Store>
-void store_pairs(const double* mean, const double* variance, int count, typename Store::Bits* x,
-                 typename Store::Bits* xx);
+/// x, xx           the stored numbers, 32 bits for float and 16 for half (math/storage.h)
+void store_pairs(const double* mean, const double* variance, int count, uint32_t* x, uint32_t* xx);
+void store_pairs(const double* mean, const double* variance, int count, uint16_t* x, uint16_t* xx);
 
 /// Central moments of a run of slopes: mean and covariance, each an array.
 struct SlopeRun {
@@ -29,17 +28,13 @@ struct SlopeRun {
 /// stepped up together, at most a few units in the last place: each step adds
 /// Ctt ulp(ss) + Css ulp(tt) >= 2 sqrt(Css Ctt ulp(ss) ulp(tt)) to the determinant, as much as the
 /// rounding of st took from it.
-template <class Store>
-void store_slopes(const SlopeRun& slopes, int count, typename Store::Bits* s,
-                  typename Store::Bits* t, typename Store::Bits* ss, typename Store::Bits* tt,
-                  typename Store::Bits* st);
+void store_slopes(const SlopeRun& run, int count, uint32_t* s, uint32_t* t, uint32_t* ss,
+                  uint32_t* tt, uint32_t* st);
+void store_slopes(const SlopeRun& run, int count, uint16_t* s, uint16_t* t, uint16_t* ss,
+                  uint16_t* tt, uint16_t* st);
 
 /// Numbers that are linear already: means, E[x y] with x and y given by other textures.
-template <class Store>
-void store_values(const double* values, int count, typename Store::Bits* stored)
-{
-    for (int i = 0; i < count; ++i)
-        stored[i] = Store::nearest(values[i]);
-}
+void store_values(const double* values, int count, uint32_t* stored);
+void store_values(const double* values, int count, uint16_t* stored);
 
 } // namespace scree

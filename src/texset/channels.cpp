@@ -45,10 +45,7 @@ const MapInfo& map_info(Map map)
 
 namespace {
 
-bool is_for_users(Map map)
-{
-    return map != Map::coverage && map != Map::bumpslopes;
-}
+bool is_for_users(Map map) { return map != Map::coverage && map != Map::bumpslopes; }
 
 } // namespace
 

@@ -28,8 +28,8 @@ ImageFile::ImageFile(std::filesystem::path path, int width, int height,
     if (!output_->file)
         throw Error(fmt::format("{}: cannot be written: {}", path_.string(), OIIO::geterror()));
     if (!output_->file->open(partial_.string(), spec))
-        throw Error(fmt::format("{}: cannot be written: {}", path_.string(),
-                                output_->file->geterror()));
+        throw Error(
+            fmt::format("{}: cannot be written: {}", path_.string(), output_->file->geterror()));
 }
 
 ImageFile::~ImageFile()
@@ -42,16 +42,16 @@ ImageFile::~ImageFile()
 void ImageFile::write_row(const float* pixels)
 {
     if (!output_->file->write_scanline(next_row_++, 0, OIIO::TypeDesc::FLOAT, pixels))
-        throw Error(fmt::format("{}: cannot be written: {}", path_.string(),
-                                output_->file->geterror()));
+        throw Error(
+            fmt::format("{}: cannot be written: {}", path_.string(), output_->file->geterror()));
 }
 
 void ImageFile::close()
 {
     std::error_code failed;
     if (!output_->file->close())
-        throw Error(fmt::format("{}: cannot be written: {}", path_.string(),
-                                output_->file->geterror()));
+        throw Error(
+            fmt::format("{}: cannot be written: {}", path_.string(), output_->file->geterror()));
     std::filesystem::rename(partial_, path_, failed);
     if (failed)
         throw Error(fmt::format("{}: cannot be written: {}", path_.string(), failed.message()));

@@ -63,6 +63,10 @@ void expect_sane(const OIIO::ImageSpec& spec, const fs::path& path)
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
         throw Error(fmt::format("{}: the image is {}x{} with {} channels; nothing to bake", name,
                                 spec.width, spec.height, spec.nchannels));
+    // OpenImageIO 2.4 divides by it when it reads scan lines, of any format.
+    if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1)
+        throw Error(fmt::format("{}: strips of {} rows; the file is damaged", name,
+                                spec.get_int_attribute("tiff:RowsPerStrip")));
     if (spec.deep)
         throw Error(fmt::format("{}: deep pixels; flatten the image first", name));
     if (spec.depth > 1)
@@ -95,6 +99,10 @@ int bits_of_integer(OIIO::TypeDesc type)
         return 0;
     }
 }
+
+/// OpenImageIO 2.4 loses the errors of damaged TIFF strips and tiles when it decompresses them by
+/// itself, several at a time, and gives whatever is in memory; read singly it reports them.
+bool is_tiff(const OIIO::ImageInput& file) { return std::string(file.format_name()) == "tiff"; }
 
 ImageInfo info_of(const OIIO::ImageSpec& spec, const fs::path& path)
 {
@@ -141,19 +149,37 @@ ImageRows::ImageRows(const fs::path& path) : input_(std::make_unique<Input>())
                                 reason(OIIO::geterror())));
     input_->spec = input_->file->spec();
     expect_sane(input_->spec, path);
+    if (is_tiff(*input_->file))
+        input_->file->threads(1);
     info_ = info_of(input_->spec, path);
     if (input_->file->seek_subimage(1, 0))
         info_.notes.push_back(
             fmt::format("{}: has several parts; the first is baked", path.string()));
     if (!input_->file->seek_subimage(0, 0))
-        throw Error(fmt::format("{}: cannot be read: {}", path.string(),
-                                reason(input_->file->geterror())));
+        throw Error(
+            fmt::format("{}: cannot be read: {}", path.string(), reason(input_->file->geterror())));
     input_->file->geterror(); // clear what the look for a second part left
 }
 
 ImageRows::~ImageRows() = default;
 ImageRows::ImageRows(ImageRows&&) noexcept = default;
 ImageRows& ImageRows::operator=(ImageRows&&) noexcept = default;
+
+bool ImageRows::read_one_by_one(int y0, int y1, int first_channel, int end_channel)
+{
+    const OIIO::ImageSpec& spec = input_->spec;
+    const auto all = static_cast<size_t>(spec.nchannels);
+    const auto wanted = static_cast<ptrdiff_t>(end_channel - first_channel);
+    std::vector<float> row(static_cast<size_t>(spec.width) * all);
+    float* to = strip_.data();
+    for (int y = y0; y < y1; ++y) {
+        if (!input_->file->read_scanline(y, 0, OIIO::TypeDesc::FLOAT, row.data()))
+            return false;
+        for (size_t at = static_cast<size_t>(first_channel); at < row.size(); at += all)
+            to = std::copy_n(&row[at], wanted, to);
+    }
+    return true;
+}
 
 void ImageRows::fill_strip(int first_channel, int end_channel)
 {
@@ -162,18 +188,22 @@ void ImageRows::fill_strip(int first_channel, int end_channel)
     strip_begin_ = next_row_;
     strip_end_ = std::min(next_row_ - next_row_ % rows + rows, spec.height);
     const auto channels = static_cast<size_t>(end_channel - first_channel);
-    strip_.resize(static_cast<size_t>(strip_end_ - strip_begin_) *
-                  static_cast<size_t>(spec.width) * channels);
+    strip_.resize(static_cast<size_t>(strip_end_ - strip_begin_) * static_cast<size_t>(spec.width) *
+                  channels);
 
     const int y0 = spec.y + strip_begin_, y1 = spec.y + strip_end_;
-    const bool read =
-        spec.tile_width > 0
-            ? input_->file->read_tiles(0, 0, spec.x, spec.x + spec.width, y0, y1, spec.z,
-                                       spec.z + 1, first_channel, end_channel,
-                                       OIIO::TypeDesc::FLOAT, strip_.data())
-            : input_->file->read_scanlines(0, 0, y0, y1, 0, first_channel, end_channel,
-                                           OIIO::TypeDesc::FLOAT, strip_.data());
-    if (!read)
+    bool read = false;
+    if (spec.tile_width > 0)
+        read = input_->file->read_tiles(0, 0, spec.x, spec.x + spec.width, y0, y1, spec.z,
+                                        spec.z + 1, first_channel, end_channel,
+                                        OIIO::TypeDesc::FLOAT, strip_.data());
+    else if (is_tiff(*input_->file))
+        read = read_one_by_one(y0, y1, first_channel, end_channel);
+    else
+        read = input_->file->read_scanlines(0, 0, y0, y1, 0, first_channel, end_channel,
+                                            OIIO::TypeDesc::FLOAT, strip_.data());
+    // Some readers return true and leave just a message.
+    if (!read || input_->file->has_error())
         throw Error(fmt::format("{}: rows {} to {} cannot be read; the file is damaged or cut "
                                 "short: {}",
                                 info_.path, strip_begin_, strip_end_ - 1,
@@ -187,8 +217,8 @@ void ImageRows::next(int count, const std::vector<int>& channels, float* pixels)
     for (int row = 0; row < count; ++row, ++next_row_) {
         if (next_row_ >= strip_end_)
             fill_strip(*first, *last + 1);
-        const float* from = strip_.data() + static_cast<ptrdiff_t>(next_row_ - strip_begin_) *
-                                                info_.width * stride;
+        const float* from =
+            strip_.data() + static_cast<ptrdiff_t>(next_row_ - strip_begin_) * info_.width * stride;
         if (stride == static_cast<int>(channels.size()) &&
             std::is_sorted(channels.begin(), channels.end())) {
             pixels = std::copy_n(from, static_cast<ptrdiff_t>(info_.width) * stride, pixels);
@@ -206,10 +236,9 @@ int channel_index(const ImageInfo& info, const std::string& name_or_number,
     const auto found = std::find(info.channels.begin(), info.channels.end(), name_or_number);
     if (found != info.channels.end())
         return static_cast<int>(found - info.channels.begin());
-    const bool is_number =
-        !name_or_number.empty() && name_or_number.size() < 6 &&
-        std::all_of(name_or_number.begin(), name_or_number.end(),
-                    [](unsigned char c) { return std::isdigit(c) != 0; });
+    const bool is_number = !name_or_number.empty() && name_or_number.size() < 6 &&
+                           std::all_of(name_or_number.begin(), name_or_number.end(),
+                                       [](unsigned char c) { return std::isdigit(c) != 0; });
     if (is_number && std::stoul(name_or_number) < info.channels.size())
         return std::stoi(name_or_number);
     throw Error(fmt::format("{}: no channel '{}'; it has {}; name one of them with {}", info.path,

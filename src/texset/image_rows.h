@@ -12,11 +12,11 @@ struct ImageInfo {
     std::string path;
     int width = 0, height = 0;
     std::vector<std::string> channels;
-    std::string type;              ///< pixel type as OpenImageIO names it: uint8, half, float, ...
-    int integer_bits = 0;          ///< 8, 16, 32 for integers, 0 for floating point
-    int alpha_channel = -1;        ///< index, -1 without
-    bool premultiplied = false;    ///< color is multiplied by alpha in the file
-    std::string color_space;       ///< as the file's metadata name it, or empty
+    std::string type;               ///< pixel type as OpenImageIO names it: uint8, half, float, ...
+    int integer_bits = 0;           ///< 8, 16, 32 for integers, 0 for floating point
+    int alpha_channel = -1;         ///< index, -1 without
+    bool premultiplied = false;     ///< color is multiplied by alpha in the file
+    std::string color_space;        ///< as the file's metadata name it, or empty
     std::vector<std::string> notes; ///< what a user should know: windows that differ, other parts
 };
 
@@ -44,6 +44,7 @@ public:
 private:
     struct Input;
     void fill_strip(int first_channel, int end_channel);
+    bool read_one_by_one(int y0, int y1, int first_channel, int end_channel);
 
     ImageInfo info_;
     std::unique_ptr<Input> input_;

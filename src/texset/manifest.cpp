@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr const char* kSuffix = ".scree.json";
+const std::string kProgram = "scree "; // goes before the version
 
 template <class T>
 void put(Json& json, const char* key, const std::optional<T>& value)
@@ -34,9 +35,8 @@ void get(const Json& json, const char* key, std::optional<T>& value)
 
 Json input_to_json(const InputRecord& input)
 {
-    Json json = {{"role", input.role},         {"file", input.file},
-                 {"sha256", input.sha256},     {"width", input.width},
-                 {"height", input.height},     {"channels", input.channels},
+    Json json = {{"role", input.role},      {"file", input.file},     {"sha256", input.sha256},
+                 {"width", input.width},    {"height", input.height}, {"channels", input.channels},
                  {"pixel_type", input.type}};
     if (!input.color_space.empty())
         json["color_space"] = input.color_space;
@@ -45,8 +45,9 @@ Json input_to_json(const InputRecord& input)
 
 InputRecord input_from_json(const Json& json)
 {
-    return {json.at("role"),     json.at("file"),       json.at("sha256"),
-            json.at("width"),    json.at("height"),     json.at("channels"),
+    return {json.at("role"),       json.at("file"),
+            json.at("sha256"),     json.at("width"),
+            json.at("height"),     json.at("channels"),
             json.at("pixel_type"), json.value("color_space", "")};
 }
 
@@ -119,7 +120,7 @@ Json manifest_to_json(const Manifest& m)
     Json json;
     json["format"] = "scree texture set";
     json["format_version"] = Manifest::kFormatVersion;
-    json["program"] = "scree " + m.program_version;
+    json["program"] = kProgram + m.program_version;
     json["name"] = m.name;
     json["width"] = m.width;
     json["height"] = m.height;
@@ -166,7 +167,8 @@ Manifest manifest_from_json(const Json& json)
                                 version, Manifest::kFormatVersion));
     Manifest m;
     m.name = json.at("name");
-    m.program_version = json.at("program");
+    const std::string program = json.at("program");
+    m.program_version = program.rfind(kProgram, 0) == 0 ? program.substr(kProgram.size()) : program;
     m.width = json.at("width");
     m.height = json.at("height");
     m.wrap_s = json.at("wrap").at(0);
@@ -225,17 +227,14 @@ fs::path manifest_file(const fs::path& set)
     if (found.empty())
         throw Error(fmt::format("{}: no texture set here (no *{})", set.string(), kSuffix));
     if (found.size() > 1)
-        throw Error(fmt::format("{}: {} manifests here; name one of them", set.string(),
-                                found.size()));
+        throw Error(
+            fmt::format("{}: {} manifests here; name one of them", set.string(), found.size()));
     return found.front();
 }
 
 } // namespace
 
-std::string to_json(const Manifest& manifest)
-{
-    return manifest_to_json(manifest).dump(2) + "\n";
-}
+std::string to_json(const Manifest& manifest) { return manifest_to_json(manifest).dump(2) + "\n"; }
 
 void write_manifest(const Manifest& manifest, const fs::path& folder)
 {

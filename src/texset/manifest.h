@@ -39,7 +39,7 @@ struct LevelSummary {
     int width = 0, height = 0;
     double coverage = 1;
     std::optional<std::array<double, 2>> mean_slope; ///< E[s], E[t]
-    std::optional<double> rms_slope;    ///< sqrt(E[ss] + E[tt]), equal on all levels
+    std::optional<double> rms_slope;                 ///< sqrt(E[ss] + E[tt]), equal on all levels
     std::optional<double> slope_sigma;  ///< sqrt of the mean slope variance within texels
     std::optional<double> kurtosis;     ///< Mardia's, mean over texels whose slope varies
     std::optional<double> tau;          ///< mean K0 weight

@@ -17,15 +17,9 @@
 
 namespace scree {
 
-std::string pixel_type_name(PixelType type)
-{
-    return type == PixelType::half ? "half" : "float";
-}
+std::string pixel_type_name(PixelType type) { return type == PixelType::half ? "half" : "float"; }
 
-size_t pixel_bytes(PixelType type)
-{
-    return type == PixelType::half ? 2 : 4;
-}
+size_t pixel_bytes(PixelType type) { return type == PixelType::half ? 2 : 4; }
 
 namespace {
 
@@ -154,20 +148,11 @@ MipFile::MipFile(std::filesystem::path path, MipLayout layout)
 
 MipFile::~MipFile() = default;
 
-int MipFile::levels() const
-{
-    return level_count(layout_.width, layout_.height);
-}
+int MipFile::levels() const { return level_count(layout_.width, layout_.height); }
 
-int MipFile::level_width(int level) const
-{
-    return std::max(1, layout_.width >> level);
-}
+int MipFile::level_width(int level) const { return std::max(1, layout_.width >> level); }
 
-int MipFile::level_height(int level) const
-{
-    return std::max(1, layout_.height >> level);
-}
+int MipFile::level_height(int level) const { return std::max(1, layout_.height >> level); }
 
 int MipFile::tile_width(int level, int tile_x) const
 {
@@ -188,9 +173,8 @@ void MipFile::prepare(TileRow& row, int level, int tile_y) const
     row.offsets.assign(1, 0);
     row.sizes.clear();
     for (int tile_x = 0; tile_x < tiles; ++tile_x) {
-        const auto pixels =
-            static_cast<size_t>(tile_width(level, tile_x)) *
-            static_cast<size_t>(tile_height(level, tile_y));
+        const auto pixels = static_cast<size_t>(tile_width(level, tile_x)) *
+                            static_cast<size_t>(tile_height(level, tile_y));
         row.sizes.push_back(pixels * pixel);
         row.offsets.push_back(row.offsets.back() + row.sizes.back());
     }

@@ -38,9 +38,9 @@ constexpr int kTileSize = 64;
 struct TileRow {
     int level = 0;
     int tile_y = 0;
-    std::vector<uint8_t> bytes;   ///< all chunks, each at its uncompressed offset
-    std::vector<size_t> offsets;  ///< of the chunks in `bytes`, one more for the end
-    std::vector<size_t> sizes;    ///< of the chunks as they are to be written
+    std::vector<uint8_t> bytes;  ///< all chunks, each at its uncompressed offset
+    std::vector<size_t> offsets; ///< of the chunks in `bytes`, one more for the end
+    std::vector<size_t> sizes;   ///< of the chunks as they are to be written
 };
 
 /// Writes a tiled (64x64), MIP-mapped OpenEXR texture, tiles of all levels in any order.

@@ -31,8 +31,8 @@ void expect_replaceable(const fs::path& folder)
     if (!fs::exists(fs::symlink_status(folder, failed)))
         return;
     if (!fs::is_directory(folder))
-        throw Error(fmt::format("{}: exists and is not a folder; choose another -o",
-                                folder.string()));
+        throw Error(
+            fmt::format("{}: exists and is not a folder; choose another -o", folder.string()));
     if (fs::is_empty(folder))
         return;
     const auto owned = files_of_set(folder);
@@ -61,8 +61,8 @@ StagedFolder::StagedFolder(fs::path folder) : folder_(without_trailing_slash(fol
         fs::remove_all(staging_); // of a killed run with the same process id
         fs::create_directory(staging_);
     } catch (const fs::filesystem_error& e) {
-        throw Error(fmt::format("{}: cannot write beside it: {}", folder_.string(),
-                                e.code().message()));
+        throw Error(
+            fmt::format("{}: cannot write beside it: {}", folder_.string(), e.code().message()));
     }
 }
 

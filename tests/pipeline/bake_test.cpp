@@ -45,7 +45,7 @@ std::array<double, 3> recovered(const Image& slope, int x, int y)
             static_cast<double>(slope.at(x, y, 2)) - s * t};
 }
 
-const std::pair<int, int> kSizes[] = {{1, 1},   {1, 7},   {3, 3},     {17, 31},
+const std::pair<int, int> kSizes[] = {{1, 1},   {1, 7},     {3, 3},    {17, 31},
                                       {99, 99}, {100, 128}, {640, 480}};
 
 TEST(Bake, CovarianceInFloatFilesIsWithin1e5OfBruteForce)
@@ -123,8 +123,7 @@ TEST(Bake, WeightedMeanOfEveryLinearChannelIsTheSameAtAllLevels)
             OracleCase c = holes ? holes_case(width, height, 21) : random_case(width, height, 22);
             c.options.pixel_type = PixelTypeChoice::float32;
             const Baked baked = bake_case(c, temp / "set");
-            const bool covered =
-                std::filesystem::exists(baked.folder / "test.coverage.exr");
+            const bool covered = std::filesystem::exists(baked.folder / "test.coverage.exr");
             const auto coverage = covered ? baked.levels("coverage") : std::vector<Image>();
             for (const std::string map :
                  {"slope", "height", "color", "colorheight", "colorslope"}) {
@@ -300,8 +299,8 @@ TEST(Bake, BakesOnlyWhatIsAskedFor)
     std::set<std::string> files;
     for (const auto& entry : std::filesystem::directory_iterator(temp / "few"))
         files.insert(entry.path().filename().string());
-    EXPECT_EQ(files, (std::set<std::string>{"test.height.exr", "test.slope.exr",
-                                            "test.scree.json"}));
+    EXPECT_EQ(files,
+              (std::set<std::string>{"test.height.exr", "test.slope.exr", "test.scree.json"}));
 
     c.options.maps.clear();
     c.input.colors.clear();
@@ -323,8 +322,8 @@ TEST(Bake, LevelSummariesAreThoseOfTheOracle)
             weight += t.coverage;
             s += t.coverage * t.mean_slope[0];
             inside += t.coverage * (t.cov_slope[0] + t.cov_slope[1]);
-            square += t.coverage * (t.mean_slope[0] * t.mean_slope[0] +
-                                    t.mean_slope[1] * t.mean_slope[1]);
+            square += t.coverage *
+                      (t.mean_slope[0] * t.mean_slope[0] + t.mean_slope[1] * t.mean_slope[1]);
             height += t.coverage * t.var_hn;
             cov += t.coverage * t.cov_color_hn[1];
             var += t.coverage * t.var_color[1];

@@ -20,8 +20,7 @@ public:
     explicit Recorder(const MomentLayout& layout, int width, int height) : layout_(layout)
     {
         for (int l = 0; l < level_count(width, height); ++l)
-            levels_.emplace_back(std::max(1, width >> l), std::max(1, height >> l),
-                                 layout.planes);
+            levels_.emplace_back(std::max(1, width >> l), std::max(1, height >> l), layout.planes);
     }
 
     void texels(int level, int y, int x0, int count, MomentRow row) override
@@ -38,10 +37,9 @@ public:
 private:
     struct Level {
         Level(int w, int h, int p)
-            : width(w), planes(p), data(static_cast<size_t>(w) * static_cast<size_t>(h) *
-                                        static_cast<size_t>(p))
-        {
-        }
+            : width(w), planes(p),
+              data(static_cast<size_t>(w) * static_cast<size_t>(h) * static_cast<size_t>(p))
+        {}
         MomentRow row(int y)
         {
             return {data.data() + static_cast<ptrdiff_t>(y) * width * planes, width};
@@ -72,8 +70,7 @@ public:
         const oracle::Result truth = oracle::brute_force(case_.input);
         MemorySource source = case_.source();
         const Survey found = survey(source, {});
-        const MomentLayout layout =
-            everything(source.has_heights(), source.has_color());
+        const MomentLayout layout = everything(source.has_heights(), source.has_color());
         const TexelMoments texels(layout, found, case_.options, source.width(), case_.input.dx,
                                   case_.input.dy);
         Recorder recorder(layout, source.width(), source.height());
@@ -152,8 +149,7 @@ private:
             for (int x = 0; x < truth.width; ++x) {
                 const MomentRow row = recorder.row(l, y);
                 for (const auto& [name, pair] : values_of(layout, row, x, truth.at(x, y)))
-                    ASSERT_NEAR(pair.first, pair.second,
-                                tolerance_ * (scale[name[0]] + kDust))
+                    ASSERT_NEAR(pair.first, pair.second, tolerance_ * (scale[name[0]] + kDust))
                         << case_.title << " level " << l << " texel " << x << "," << y << " "
                         << name;
                 const auto& t = truth.at(x, y);
@@ -197,8 +193,8 @@ TEST(Moments, HonourEveryWrapAndReconstruction)
 {
     for (const Wrap wrap_s : {Wrap::periodic, Wrap::clamp, Wrap::mirror, Wrap::black})
         for (const Wrap wrap_t : {Wrap::periodic, Wrap::clamp, Wrap::mirror, Wrap::black})
-            for (const auto reconstruction : {Reconstruction::bilinear, Reconstruction::central,
-                                              Reconstruction::sobel}) {
+            for (const auto reconstruction :
+                 {Reconstruction::bilinear, Reconstruction::central, Reconstruction::sobel}) {
                 OracleCase c = random_case(13, 70, 77);
                 set_wrap(c, wrap_s, wrap_t);
                 set_reconstruction(c, reconstruction);

@@ -53,8 +53,8 @@ OracleCase holes_case(int width, int height, unsigned seed)
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const auto i = static_cast<size_t>(y) * static_cast<size_t>(width) +
-                           static_cast<size_t>(x);
+            const auto i =
+                static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
             c.input.weights.push_back(
                 static_cast<double>(static_cast<float>(0.25 + 0.75 * uniform(random))));
             const bool in_block = x >= 2 && x < 5 && y >= 1 && y < 6;
@@ -97,11 +97,10 @@ void set_wrap(OracleCase& c, Wrap wrap_s, Wrap wrap_t)
 void set_reconstruction(OracleCase& c, Reconstruction reconstruction)
 {
     c.options.reconstruction = reconstruction;
-    c.input.reconstruction = reconstruction == Reconstruction::bilinear
-                                 ? oracle::Reconstruction::kBilinear
-                             : reconstruction == Reconstruction::central
-                                 ? oracle::Reconstruction::kCentral
-                                 : oracle::Reconstruction::kSobel;
+    c.input.reconstruction =
+        reconstruction == Reconstruction::bilinear  ? oracle::Reconstruction::kBilinear
+        : reconstruction == Reconstruction::central ? oracle::Reconstruction::kCentral
+                                                    : oracle::Reconstruction::kSobel;
     c.title += " " + reconstruction_name(reconstruction);
 }
 
