@@ -46,32 +46,38 @@ void add_options(CLI::App& command, BakeWords& words)
         ->capture_default_str();
     surface->add_option("--height-channel", o.height_channel,
                         "channel with the heights, by name or number");
-    surface->add_option("--height-scale", o.height_scale,
-                        "world units a unit of the file; integers are [0,1] before it")
+    surface
+        ->add_option("--height-scale", o.height_scale,
+                     "world units a unit of the file; integers are [0,1] before it")
         ->capture_default_str();
     surface->add_option("--height-offset", o.height_offset, "world units added to the heights")
         ->capture_default_str();
     surface->add_option("--no-data", o.no_data_height,
                         "file value (integers: in [0,1]) that marks texels without data");
-    surface->add_option("--texel-size", words.texel_size,
-                        "world size of a texel, one number or width and height")
+    surface
+        ->add_option("--texel-size", words.texel_size,
+                     "world size of a texel, one number or width and height")
         ->expected(1, 2)
         ->option_text("W [H]");
-    surface->add_option("--world-size", words.world_size,
-                        "world size of the whole map [one unit wide, square texels]")
+    surface
+        ->add_option("--world-size", words.world_size,
+                     "world size of the whole map [one unit wide, square texels]")
         ->expected(1, 2)
         ->option_text("W [H]");
-    surface->add_option("--wrap", words.wrap,
-                        "beyond the edge: periodic, clamp, mirror or black; once, or for s and t "
-                        "[periodic]")
+    surface
+        ->add_option("--wrap", words.wrap,
+                     "beyond the edge: periodic, clamp, mirror or black; once, or for s and t "
+                     "[periodic]")
         ->expected(1, 2)
         ->option_text("S [T]");
-    surface->add_option("--reconstruction", words.reconstruction,
-                        "slopes from heights: bilinear (exact), central, sobel (as maketx)")
+    surface
+        ->add_option("--reconstruction", words.reconstruction,
+                     "slopes from heights: bilinear (exact), central, sobel (as maketx)")
         ->capture_default_str();
-    surface->add_option("--normal-range", words.normal_range,
-                        "normal maps: unsigned [0,1], signed [-1,1], or auto: signed for a float "
-                        "file with negative numbers")
+    surface
+        ->add_option("--normal-range", words.normal_range,
+                     "normal maps: unsigned [0,1], signed [-1,1], or auto: signed for a float "
+                     "file with negative numbers")
         ->capture_default_str();
     surface->add_flag("--invert-x", o.invert_x, "normal maps: red points left");
     surface->add_flag("--invert-y", o.invert_y,
@@ -87,8 +93,10 @@ void add_options(CLI::App& command, BakeWords& words)
     color->add_flag("--resample", o.resample, "fit a color map of another size to the heights");
 
     auto* set = command.add_option_group("Texture set");
-    set->add_option("--maps", words.maps, "which maps to bake: " + map_names() + " [all the "
-                                          "inputs allow]")
+    set->add_option("--maps", words.maps,
+                    "which maps to bake: " + map_names() +
+                        " [all the "
+                        "inputs allow]")
         ->delimiter(',');
     set->add_option("--pixel-type", words.pixel_type,
                     "half, float, or auto: half where its measured error is small enough")
@@ -134,8 +142,15 @@ void interpret(BakeWords& words)
         for (const auto& name : words.maps)
             o.maps.push_back(map_named(name));
     } catch (const Error& e) {
-        throw UsageError(e.what());
+        // Which of the two a word came from is no longer known.
+        throw UsageError(words.recipe.empty()
+                             ? e.what()
+                             : fmt::format("{}, or the command line: {}", words.recipe, e.what()));
     }
+    if (o.name.find('/') != std::string::npos)
+        throw UsageError(fmt::format("--name '{}': expected the beginning of a file name, without "
+                                     "folders; the folder goes to -o",
+                                     o.name));
     if (o.height_file.empty())
         throw UsageError("no height map; give --height FILE, or a recipe that names one "
                          "(see scree bake --help)");
@@ -152,8 +167,8 @@ std::map<std::string, std::string> given_options(const CLI::App& command)
     for (const CLI::Option* option : command.get_options()) {
         const std::string name =
             option->get_lnames().empty() ? option->get_name() : option->get_lnames().front();
-        if (option->count() == 0 || std::string(kNotRecorded).find("," + name + ",") !=
-                                        std::string::npos)
+        if (option->count() == 0 ||
+            std::string(kNotRecorded).find("," + name + ",") != std::string::npos)
             continue;
         std::string value;
         for (const auto& word : option->results())

@@ -65,10 +65,9 @@ void print_levels(const Manifest& m)
                 ? fmt::format("{:.3g}, {:.3g}", (*level.mean_slope)[0], (*level.mean_slope)[1])
                 : "-";
         const auto& correlation = level.color_height_correlation;
-        const std::string rgb = correlation
-                                    ? fmt::format("{:.2f} {:.2f} {:.2f}", (*correlation)[0],
-                                                  (*correlation)[1], (*correlation)[2])
-                                    : "-";
+        const std::string rgb = correlation ? fmt::format("{:.2f} {:.2f} {:.2f}", (*correlation)[0],
+                                                          (*correlation)[1], (*correlation)[2])
+                                            : "-";
         fmt::print("{:>5} {:>12} {:>21} {:>9} {:>9} {:>8} {:>6} {:>10} {:>20}\n", l,
                    fmt::format("{}x{}", level.width, level.height), slope,
                    cell(level.rms_slope, "{:.4g}"), cell(level.slope_sigma, "{:.4g}"),

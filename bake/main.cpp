@@ -10,10 +10,12 @@
 #include "math/error.h"
 #include "version.h"
 
-int main(int argc, char** argv)
-{
-    constexpr int kFailed = 1, kUsage = 2, kInterrupted = 130;
+namespace {
 
+constexpr int kFailed = 1, kUsage = 2, kInterrupted = 130;
+
+int run(int argc, char** argv)
+{
     CLI::App app{"Scree bakes height maps and colors into MIP-mapped texture sets that show a "
                  "rough, colored surface right at every distance."};
     app.name("scree");
@@ -23,24 +25,35 @@ int main(int argc, char** argv)
     scree::tool::add_bake(app);
     scree::tool::add_info(app);
     scree::tool::add_sample(app);
-
+    scree::tool::stop_on_signals();
     try {
-        scree::tool::stop_on_signals();
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         return app.exit(e) == 0 ? 0 : kUsage;
-    } catch (const scree::Cancelled&) {
-        fmt::print(stderr, "scree: stopped; nothing was written\n");
-        return kInterrupted;
-    } catch (const scree::tool::UsageError& e) {
-        fmt::print(stderr, "scree: error: {}\n", e.what());
-        return kUsage;
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "scree: error: out of memory\n");
-        return kFailed;
-    } catch (const std::exception& e) {
-        fmt::print(stderr, "scree: error: {}\n", e.what());
-        return kFailed;
     }
     return 0;
+}
+
+int complain(const char* what, int status)
+{
+    std::fprintf(stderr, "scree: error: %s\n", what);
+    return status;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return run(argc, argv);
+    } catch (const scree::Cancelled&) {
+        std::fputs("scree: stopped; nothing was written\n", stderr);
+        return kInterrupted;
+    } catch (const scree::tool::UsageError& e) {
+        return complain(e.what(), kUsage);
+    } catch (const std::bad_alloc&) {
+        return complain("out of memory", kFailed);
+    } catch (const std::exception& e) {
+        return complain(e.what(), kFailed);
+    }
 }

@@ -52,12 +52,16 @@ bool is_listed(const std::string& keys, const std::string& key)
 void apply_recipe(CLI::App& command, const std::filesystem::path& file,
                   const std::string& path_keys)
 {
+    if (!std::filesystem::exists(file))
+        throw UsageError(fmt::format("{}: no such file; expected a recipe", file.string()));
+    if (std::filesystem::is_directory(file))
+        throw UsageError(fmt::format("{}: is a folder, expected a recipe", file.string()));
     toml::table recipe;
     try {
         recipe = toml::parse_file(file.string());
     } catch (const toml::parse_error& e) {
-        throw UsageError(fmt::format("{}:{}: {}", file.string(), e.source().begin.line,
-                                     e.description()));
+        throw UsageError(
+            fmt::format("{}:{}: {}", file.string(), e.source().begin.line, e.description()));
     }
     for (const auto& [toml_key, node] : recipe) {
         const std::string key(toml_key.str());
@@ -72,7 +76,7 @@ void apply_recipe(CLI::App& command, const std::filesystem::path& file,
             for (auto& word : words)
                 word = (file.parent_path() / word).string(); // an absolute one stays as it is
         try {
-            if (option->get_type_size() == 0) { // a flag
+            if (option->get_expected_max() == 0) { // a flag
                 if (words != std::vector<std::string>{"true"} &&
                     words != std::vector<std::string>{"false"})
                     throw CLI::ValidationError("expected true or false");

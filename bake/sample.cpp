@@ -33,8 +33,8 @@ void write_recipe(const SampleInfo& info, const std::filesystem::path& file)
                        info.world_height, info.wrap_s, info.wrap_t);
     out.close();
     if (!out)
-        throw Error(fmt::format("{}: cannot be written; is there room on the disk?",
-                                file.string()));
+        throw Error(
+            fmt::format("{}: cannot be written; is there room on the disk?", file.string()));
 }
 
 void print_known(const KnownAnswers& known)
@@ -52,6 +52,30 @@ void print_known(const KnownAnswers& known)
     line("standard deviation of height", known.std_height);
 }
 
+/// A folder that goes again when nothing came to lie in it.
+class SampleFolder {
+public:
+    explicit SampleFolder(std::filesystem::path path) : path_(std::move(path))
+    {
+        std::error_code failed;
+        made_ = std::filesystem::create_directories(path_, failed);
+        if (failed)
+            throw Error(fmt::format("{}: cannot be made: {}", path_.string(), failed.message()));
+    }
+    ~SampleFolder()
+    {
+        std::error_code not_empty;
+        if (made_)
+            std::filesystem::remove(path_, not_empty);
+    }
+    SampleFolder(const SampleFolder&) = delete;
+    SampleFolder& operator=(const SampleFolder&) = delete;
+
+private:
+    std::filesystem::path path_;
+    bool made_ = false;
+};
+
 void run(const SampleWords& words)
 {
     std::unique_ptr<SampleField> field;
@@ -61,11 +85,7 @@ void run(const SampleWords& words)
         throw UsageError(e.what());
     }
     const SampleInfo& info = field->info();
-    std::error_code failed;
-    std::filesystem::create_directories(words.folder, failed);
-    if (failed)
-        throw Error(fmt::format("{}: cannot be made: {}", words.folder.string(),
-                                failed.message()));
+    const SampleFolder folder(words.folder);
 
     ImageFile height(words.folder / (info.kind + ".height.exr"), info.width_texels,
                      info.height_texels, {"Y"});
@@ -110,8 +130,7 @@ std::string kinds()
 void add_sample(CLI::App& app)
 {
     auto words = std::make_shared<SampleWords>();
-    auto* command =
-        app.add_subcommand("sample", "a ready height and color pair, to try things on");
+    auto* command = app.add_subcommand("sample", "a ready height and color pair, to try things on");
     command->add_option("kind", words->kind, kinds())->required();
     command->add_option("-o,--output", words->folder, "folder for the two images and a recipe")
         ->required();

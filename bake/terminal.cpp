@@ -30,10 +30,7 @@ void stop_on_signals()
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
-const std::atomic<bool>& stop_asked()
-{
-    return stop;
-}
+const std::atomic<bool>& stop_asked() { return stop; }
 
 Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
@@ -57,8 +54,8 @@ void Progress::show(const char* phase, double done)
     shown_ = now;
     if (terminal_) {
         const int filled = now * kWidth / step;
-        fmt::print(stderr, "\r{:8} [{:#<{}}{:.<{}}] {:3} %", phase, "", filled, "",
-                   kWidth - filled, now * 100 / step);
+        fmt::print(stderr, "\r{:8} [{:#<{}}{:.<{}}] {:3} %", phase, "", filled, "", kWidth - filled,
+                   now * 100 / step);
     } else if (!first || now > 0) {
         fmt::print(stderr, "scree: {} {} %\n", phase, now * 10);
     }

@@ -16,7 +16,7 @@ namespace scree {
 /// scene-linear. A texel is without data when its height, normal or color is not finite, when its
 /// normal does not face outward (nz <= 0), when its height is the --no-data value, or, with
 /// --alpha-weight, when its alpha is 0 or less.
-class FileSource : public Source {
+class FileSource final : public Source {
 public:
     /// Throws Error when a file cannot be used: see ImageRows; also when the sizes differ without
     /// --resample, when the height channel is not clear, when a normal map or a color map has

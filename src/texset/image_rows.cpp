@@ -2,9 +2,12 @@
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <system_error>
 
 #include "math/error.h"
@@ -55,6 +58,8 @@ void expect_readable(const fs::path& path)
         throw Error(fmt::format("{}: is a folder, expected an image", path.string()));
     if (fs::is_regular_file(status) && fs::file_size(path) == 0)
         throw Error(fmt::format("{}: the file is empty", path.string()));
+    if (access(path.c_str(), R_OK) != 0)
+        throw Error(fmt::format("{}: {}", path.string(), std::strerror(errno)));
 }
 
 void expect_sane(const OIIO::ImageSpec& spec, const fs::path& path)
@@ -83,7 +88,7 @@ void expect_sane(const OIIO::ImageSpec& spec, const fs::path& path)
                                 name, spec.width, spec.height, spec.nchannels, file_bytes));
 }
 
-int bits_of_integer(OIIO::TypeDesc type)
+int bits_of_integer(const OIIO::TypeDesc& type)
 {
     switch (type.basetype) {
     case OIIO::TypeDesc::UINT8:

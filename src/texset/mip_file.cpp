@@ -194,8 +194,8 @@ uint8_t* MipFile::line(TileRow& row, int tile_x, int y, int channel, int& pixels
 namespace {
 
 /// Runs OpenEXR's own encoder on one chunk, in place; returns its new size.
-size_t encode_with_openexr(exr_context_t exr, const TileRow& row, int tile_x, uint8_t* bytes,
-                           size_t size, const Check& check)
+size_t encode_with_openexr(exr_context_t exr, PixelType type, const TileRow& row, int tile_x,
+                           uint8_t* bytes, size_t size, const Check& check)
 {
     struct Encoder {
         explicit Encoder(exr_context_t context) : exr(context) {}
@@ -211,13 +211,14 @@ size_t encode_with_openexr(exr_context_t exr, const TileRow& row, int tile_x, ui
     check(exr_write_tile_chunk_info(exr, 0, tile_x, row.tile_y, row.level, row.level, &chunk),
           "cannot address a tile");
     check(exr_encoding_initialize(exr, 0, &chunk, &pipe), "cannot start the encoder");
+    const auto element = static_cast<int16_t>(pixel_bytes(type));
+    const int line_bytes = element * chunk.width;
     for (int c = 0; c < pipe.channel_count; ++c) {
         exr_coding_channel_info_t& channel = pipe.channels[c];
-        const int line_bytes = channel.bytes_per_element * chunk.width;
         channel.encode_from_ptr = bytes + static_cast<ptrdiff_t>(c) * line_bytes;
-        channel.user_pixel_stride = channel.bytes_per_element;
+        channel.user_pixel_stride = element;
         channel.user_line_stride = line_bytes * pipe.channel_count;
-        channel.user_bytes_per_element = channel.bytes_per_element;
+        channel.user_bytes_per_element = element;
         channel.user_data_type = channel.data_type;
     }
     check(exr_encoding_choose_default_routines(exr, 0, &pipe), "cannot choose an encoder");
@@ -248,7 +249,8 @@ void MipFile::encode(TileRow& row, int tile_x) const
     }
     case Compression::rle:
     case Compression::piz:
-        size = encode_with_openexr(context_->exr, row, tile_x, bytes, size, Check(path_));
+        size = encode_with_openexr(context_->exr, layout_.type, row, tile_x, bytes, size,
+                                   Check(path_));
         return;
     }
 }

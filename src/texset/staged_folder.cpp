@@ -48,7 +48,7 @@ void expect_replaceable(const fs::path& folder)
 
 } // namespace
 
-StagedFolder::StagedFolder(fs::path folder) : folder_(without_trailing_slash(folder))
+StagedFolder::StagedFolder(const fs::path& folder) : folder_(without_trailing_slash(folder))
 {
     if (folder_.empty())
         throw Error("-o: no folder given");

@@ -14,7 +14,7 @@ public:
     /// Throws Error when the parent cannot be made or written to, or when `folder` exists and is
     /// neither empty nor a texture set (a manifest and the files it names, nothing else): Scree
     /// replaces its own sets and nothing a user put there.
-    explicit StagedFolder(std::filesystem::path folder);
+    explicit StagedFolder(const std::filesystem::path& folder);
     ~StagedFolder();
     StagedFolder(const StagedFolder&) = delete;
     StagedFolder& operator=(const StagedFolder&) = delete;
