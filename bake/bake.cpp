@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -182,10 +183,13 @@ void print_summary(const Manifest& manifest, const std::filesystem::path& folder
 {
     fmt::print("{}: {}x{}, {} levels\n", folder.string(), manifest.width, manifest.height,
                manifest.levels.size());
+    size_t width = 0;
+    for (const TextureRecord& texture : manifest.textures)
+        width = std::max(width, texture.file.size());
     for (const TextureRecord& texture : manifest.textures) {
         std::error_code ignored;
         const auto bytes = std::filesystem::file_size(folder / texture.file, ignored);
-        fmt::print("  {:32} {:5} {:10.1f} kB", texture.file, pixel_type_name(texture.type),
+        fmt::print("  {:{}} {:5} {:10.1f} kB", texture.file, width, pixel_type_name(texture.type),
                    static_cast<double>(bytes) / 1000);
         if (texture.half_error)
             fmt::print("  (error as half {:.1e}, as float {:.1e})", *texture.half_error,

@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "bake/commands.h"
@@ -41,14 +43,18 @@ void print_head(const Manifest& m)
 
 void print_textures(const Manifest& m)
 {
-    fmt::print("\n{:28} {:6} {:10} {:10} channels\n", "texture", "type", "half err", "float err");
+    size_t width = 0;
+    for (const auto& texture : m.textures)
+        width = std::max(width, texture.file.size());
+    fmt::print("\n{:{}} {:6} {:10} {:10} channels\n", "texture", width, "type", "half err",
+               "float err");
     for (const auto& texture : m.textures) {
         std::string channels;
         for (const auto& channel : map_info(texture.map).channels)
             channels += (channels.empty() ? "" : " ") + channel;
-        fmt::print("{:28} {:6} {:10} {:10} {}\n", texture.file, pixel_type_name(texture.type),
-                   cell(texture.half_error, "{:.1e}"), cell(texture.float_error, "{:.1e}"),
-                   channels);
+        fmt::print("{:{}} {:6} {:10} {:10} {}\n", texture.file, width,
+                   pixel_type_name(texture.type), cell(texture.half_error, "{:.1e}"),
+                   cell(texture.float_error, "{:.1e}"), channels);
     }
 }
 
@@ -60,10 +66,13 @@ void print_levels(const Manifest& m)
                "corr(R G B, height)");
     for (size_t l = 0; l < m.levels.size(); ++l) {
         const LevelSummary& level = m.levels[l];
+        // What rounding leaves of a mean of 0 would only distract.
+        auto mean = [&level](size_t axis) {
+            const double slope = (*level.mean_slope)[axis];
+            return std::abs(slope) > 1e-12 * *level.rms_slope ? slope : 0.0;
+        };
         const std::string slope =
-            level.mean_slope
-                ? fmt::format("{:.3g}, {:.3g}", (*level.mean_slope)[0], (*level.mean_slope)[1])
-                : "-";
+            level.mean_slope ? fmt::format("{:.3g}, {:.3g}", mean(0), mean(1)) : "-";
         const auto& correlation = level.color_height_correlation;
         const std::string rgb = correlation ? fmt::format("{:.2f} {:.2f} {:.2f}", (*correlation)[0],
                                                           (*correlation)[1], (*correlation)[2])

@@ -29,7 +29,11 @@ int run(int argc, char** argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? 0 : kUsage;
+        if (e.get_exit_code() == 0) // --help and --version come this way too
+            return app.exit(e);
+        const auto commands = app.get_subcommands();
+        const std::string of = commands.empty() ? "" : commands.front()->get_name() + " ";
+        throw scree::tool::UsageError(fmt::format("{}; see scree {}--help", e.what(), of));
     }
     return 0;
 }

@@ -43,20 +43,22 @@ Progress::~Progress()
 void Progress::show(const char* phase, double done)
 {
     constexpr int kWidth = 40;
+    constexpr std::chrono::seconds kWorthShowing(1);
     if (quiet_)
         return;
     const int step = terminal_ ? 200 : 10;
     const int now = static_cast<int>(done * step);
     if (now == shown_ && phase_ == phase)
         return;
-    const bool first = phase_ != phase;
     phase_ = phase;
     shown_ = now;
+    if (std::chrono::steady_clock::now() - begin_ < kWorthShowing)
+        return;
     if (terminal_) {
         const int filled = now * kWidth / step;
         fmt::print(stderr, "\r{:8} [{:#<{}}{:.<{}}] {:3} %", phase, "", filled, "", kWidth - filled,
                    now * 100 / step);
-    } else if (!first || now > 0) {
+    } else {
         fmt::print(stderr, "scree: {} {} %\n", phase, now * 10);
     }
     std::fflush(stderr);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <string>
 
 #include "math/error.h"
@@ -20,7 +21,8 @@ void stop_on_signals();
 /// Set once a signal came.
 const std::atomic<bool>& stop_asked();
 
-/// Shows how far a long task is on stderr: a bar on a terminal, a line every tenth elsewhere.
+/// Shows how far a task is on stderr once it takes a second: a bar on a terminal, a line every
+/// tenth elsewhere.
 class Progress {
 public:
     explicit Progress(bool quiet);
@@ -35,6 +37,7 @@ private:
     bool quiet_, terminal_;
     std::string phase_;
     int shown_ = -1;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 } // namespace scree::tool

@@ -10,6 +10,10 @@ namespace {
 /// A variance below this share of the mean square is what rounding leaves of a plane.
 constexpr double kRounding = 1e-28;
 
+/// det / trace^2 below which C has no inverse worth using: the inverse multiplies the rounding of
+/// the fourth moments by (trace^2 / det)^2, here 1e12 * 1e-16.
+constexpr double kThin = 1e-6;
+
 double clamp_weight(double tau) { return std::clamp(tau, 0.0, 1.0); }
 
 } // namespace
@@ -29,7 +33,7 @@ Tail tail_of(const MomentLayout& layout, MomentRow row, int x)
     const double det = ss * tt - st * st;
     if (!(trace > kRounding * (s * s + t * t)))
         return {0, 0};
-    if (det <= 1e-12 * trace * trace) {
+    if (det <= kThin * trace * trace) {
         // Along the eigenvector of the larger eigenvalue, the trace.
         const double length =
             std::hypot(ss, st) > std::hypot(st, tt) ? std::hypot(ss, st) : std::hypot(st, tt);

@@ -16,7 +16,7 @@ struct Tail {
 ///   kurtosis = E[(d' C^-1 d)^2],  d = slope - mean
 ///   tau = (kurtosis - 8) / 8, clamped to [0, 1]
 ///
-/// Where the slope varies along one line only (det C <= 1e-12 trace(C)^2: grooves) C has no
+/// Where the slope varies along one line only (det C <= 1e-6 trace(C)^2: grooves) C has no
 /// inverse; the kurtosis k1 = E[x^4] / E[x^2]^2 along that line, 3 for a Gaussian and 6 for K0,
 /// takes its place: kurtosis = 8 k1 / 3, tau = (k1 - 3) / 3.
 ///

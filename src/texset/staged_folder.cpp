@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <system_error>
+#include <vector>
 
 #include "math/error.h"
 #include "texset/manifest.h"
@@ -18,10 +19,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The folder's name without a trailing slash, so that a sibling can be named after it.
-fs::path without_trailing_slash(const fs::path& folder)
+/// Where the folder really is, links followed and no dots or slash at its end, so that a sibling
+/// can be named after it.
+fs::path real_place(const fs::path& folder)
 {
-    return folder.has_filename() ? folder : folder.parent_path();
+    const fs::path place = fs::weakly_canonical(fs::absolute(folder));
+    return place.has_filename() ? place : place.parent_path();
+}
+
+/// What create_directories() would have to make, outermost first.
+std::vector<fs::path> missing_folders(fs::path folder)
+{
+    std::vector<fs::path> missing;
+    for (; !folder.empty() && !fs::exists(folder); folder = folder.parent_path())
+        missing.insert(missing.begin(), folder);
+    return missing;
 }
 
 /// Throws unless `folder` is absent, empty, or holds just one texture set.
@@ -48,21 +60,23 @@ void expect_replaceable(const fs::path& folder)
 
 } // namespace
 
-StagedFolder::StagedFolder(const fs::path& folder) : folder_(without_trailing_slash(folder))
+StagedFolder::StagedFolder(const fs::path& folder)
 {
-    if (folder_.empty())
+    if (folder.empty())
         throw Error("-o: no folder given");
     try {
+        folder_ = real_place(folder);
         expect_replaceable(folder_);
-        if (folder_.has_parent_path())
-            fs::create_directories(folder_.parent_path());
+        made_ = missing_folders(folder_.parent_path());
+        fs::create_directories(folder_.parent_path());
         staging_ = folder_.parent_path() /
                    fmt::format(".{}.scree-{}", folder_.filename().string(), getpid());
         fs::remove_all(staging_); // of a killed run with the same process id
         fs::create_directory(staging_);
     } catch (const fs::filesystem_error& e) {
+        remove_made();
         throw Error(
-            fmt::format("{}: cannot write beside it: {}", folder_.string(), e.code().message()));
+            fmt::format("{}: cannot write beside it: {}", folder.string(), e.code().message()));
     }
 }
 
@@ -70,6 +84,14 @@ StagedFolder::~StagedFolder()
 {
     std::error_code ignored; // nothing left to do about it
     fs::remove_all(staging_, ignored);
+    remove_made();
+}
+
+void StagedFolder::remove_made()
+{
+    std::error_code not_empty; // the finished set lies there, or something of someone else's
+    for (auto made = made_.rbegin(); made != made_.rend(); ++made)
+        fs::remove(*made, not_empty);
 }
 
 void StagedFolder::publish()

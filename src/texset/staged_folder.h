@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace scree {
 
@@ -8,7 +9,8 @@ namespace scree {
 ///
 /// Files are written into a hidden folder beside the final one; publish() puts it in place in one
 /// rename, exchanging it with the set that may stand there. Without publish() the destructor
-/// removes what was written, and what stood there before is untouched.
+/// removes what was written, with the parents made for it, and what stood there before is
+/// untouched. A link to a folder stays a link: what it points to is replaced.
 class StagedFolder {
 public:
     /// Throws Error when the parent cannot be made or written to, or when `folder` exists and is
@@ -25,8 +27,11 @@ public:
     void publish();
 
 private:
+    void remove_made();
+
     std::filesystem::path folder_;
     std::filesystem::path staging_;
+    std::vector<std::filesystem::path> made_; ///< parents that were not there before
 };
 
 } // namespace scree
