@@ -77,8 +77,8 @@ void add_options(CLI::App& command, BakeWords& words)
         ->capture_default_str();
     surface
         ->add_option("--normal-range", words.normal_range,
-                     "normal maps: unsigned [0,1], signed [-1,1], or auto: signed for a float "
-                     "file with negative numbers")
+                     "normal maps: unsigned [0,1], signed [-1,1], or auto: for a "
+                     "float file whichever has vectors of unit length, else unsigned")
         ->capture_default_str();
     surface->add_flag("--invert-x", o.invert_x, "normal maps: red points left");
     surface->add_flag("--invert-y", o.invert_y,

@@ -10,6 +10,10 @@
 
 namespace scree {
 
+class ColorReader;
+class HeightReader;
+class NormalReader;
+
 /// A surface from a height or normal map and, if given, a color map.
 ///
 /// Heights become world units (offset + scale * value), normals slopes (-nx/nz, -ny/nz), colors
@@ -41,16 +45,11 @@ public:
     [[nodiscard]] std::vector<std::string> notes() const;
 
 private:
-    class HeightReader;
-    class NormalReader;
-    class ColorReader;
-
     std::unique_ptr<HeightReader> height_;
     std::unique_ptr<NormalReader> normal_;
     std::unique_ptr<ColorReader> color_;
     int next_row_ = 0;
     Rejects rejects_;
-    std::vector<float> own_alpha_;
 };
 
 } // namespace scree

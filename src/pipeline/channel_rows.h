@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "pipeline/source.h"
+#include "texset/image_rows.h"
+#include "texset/manifest.h"
+
+namespace scree {
+
+/// Marks a texel without data.
+constexpr double kNoData = std::numeric_limits<double>::quiet_NaN();
+
+/// Counts a texel without data and remembers the first.
+void reject(Rejects::Count& count, const std::string& file, const std::string& channel, int x,
+            int y);
+
+/// A file's channels for one purpose, read as interleaved floats, alpha behind them if it is asked
+/// for and there.
+class ChannelRows {
+public:
+    ChannelRows(std::filesystem::path file, bool with_alpha);
+
+    [[nodiscard]] const ImageInfo& info() const { return image_.info(); }
+    [[nodiscard]] bool has_alpha() const { return alpha_place_ >= 0; }
+    /// Floats a texel.
+    [[nodiscard]] int stride() const { return static_cast<int>(channels_.size()); }
+    /// Name of the channel at a place among the chosen ones.
+    [[nodiscard]] std::string name(int place) const;
+
+    /// Which channels to read, by index in the file.
+    void choose(std::vector<int> channels);
+
+    void rewind() { image_ = ImageRows(file_); }
+
+    /// The next rows, valid until the next call.
+    const float* next(int count);
+
+    /// Alpha of the rows next() gave; empty without.
+    void alpha_of(const float* pixels, std::vector<float>& alpha) const;
+
+    /// What the manifest says of the file; `used` of the chosen channels are named.
+    [[nodiscard]] InputRecord record(const std::string& role, int used) const;
+
+private:
+    std::filesystem::path file_;
+    ImageRows image_;
+    bool with_alpha_;
+    std::vector<int> channels_;
+    int alpha_place_ = -1;
+    std::vector<float> pixels_;
+};
+
+/// R, G and B by name, or the first three; one gray channel stands for all three.
+/// Throws Error when the file has neither.
+std::vector<int> choose_color_channels(const ImageInfo& info);
+
+} // namespace scree

@@ -1,0 +1,70 @@
+#include "pipeline/color_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree {
+
+ColorReader::ColorReader(const BakeOptions& options, int width, int height)
+    : rows(options.color_file, options.alpha_weight),
+      conversion(options.ocio_config, options.color_space, rows.info().color_space,
+                 rows.info().path),
+      resampler_(rows.info().width, rows.info().height, width, height, options.wrap_s,
+                 options.wrap_t),
+      width_(width)
+{
+    rows.choose(choose_color_channels(rows.info()));
+    source_alpha_ = rows.has_alpha();
+}
+
+void ColorReader::rewind()
+{
+    rows.rewind();
+    resampler_.rewind();
+}
+
+void ColorReader::read(int y, int count, std::vector<float>& color, Rejects& rejects)
+{
+    const auto texels = static_cast<size_t>(count) * static_cast<size_t>(width_);
+    const size_t channels = source_alpha_ ? 4 : 3;
+    interleaved_.resize(texels * channels);
+    resampler_.read(
+        count, channels, [this](int row_count, float* out) { read_linear(row_count, out); },
+        interleaved_.data());
+    color.resize(texels * 3);
+    alpha.resize(source_alpha_ ? texels : 0);
+    for (size_t i = 0; i < texels; ++i) {
+        const float* from = &interleaved_[i * channels];
+        std::copy_n(from, 3, &color[i * 3]);
+        if (source_alpha_)
+            alpha[i] = from[3];
+        for (int c = 0; c < 3; ++c)
+            if (!std::isfinite(from[c])) {
+                reject(rejects.not_finite, rows.info().path, rows.name(c),
+                       static_cast<int>(i) % width_, y + static_cast<int>(i) / width_);
+                break;
+            }
+    }
+}
+
+void ColorReader::read_linear(int count, float* out)
+{
+    const float* pixels = rows.next(count);
+    const auto texels = static_cast<size_t>(count) * static_cast<size_t>(rows.info().width);
+    const auto stride = static_cast<size_t>(rows.stride());
+    linear_.resize(texels * 3);
+    for (size_t i = 0; i < texels; ++i) {
+        const float* from = pixels + i * stride;
+        const bool divide = source_alpha_ && rows.info().premultiplied && from[3] > 0;
+        for (size_t c = 0; c < 3; ++c)
+            linear_[i * 3 + c] = divide ? from[c] / from[3] : from[c];
+    }
+    conversion.apply(linear_.data(), static_cast<long>(texels));
+    for (size_t i = 0; i < texels; ++i) {
+        out = std::copy_n(&linear_[i * 3], 3, out);
+        if (source_alpha_)
+            *out++ = pixels[i * stride + 3];
+    }
+}
+
+} // namespace scree

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/channel_rows.h"
+#include "pipeline/options.h"
+#include "pipeline/resample.h"
+#include "texset/color_space.h"
+
+namespace scree {
+
+/// Scene-linear colors of a file, at the size of the height map.
+class ColorReader {
+public:
+    /// width, height  of the height map
+    /// Throws Error when the file cannot be read, has no color, or its color space is unknown.
+    ColorReader(const BakeOptions& options, int width, int height);
+
+    void rewind();
+
+    /// The next rows, linear, with alpha divided out of it where the file has it multiplied in and
+    /// alpha is the weight. Texels that are not finite are counted.
+    void read(int y, int count, std::vector<float>& color, Rejects& rejects);
+
+    ChannelRows rows;
+    ColorConversion conversion;
+    std::vector<float> alpha; ///< of the rows just read; empty without
+
+private:
+    void read_linear(int count, float* out);
+
+    RowResampler resampler_;
+    int width_;
+    bool source_alpha_ = false;
+    std::vector<float> linear_, interleaved_;
+};
+
+} // namespace scree
