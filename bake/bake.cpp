@@ -9,6 +9,7 @@
 
 #include "bake/commands.h"
 #include "bake/recipe.h"
+#include "bake/supervisor.h"
 #include "bake/terminal.h"
 
 namespace scree::tool {
@@ -142,6 +143,7 @@ void interpret(BakeWords& words)
         o.layout = layout_named(words.layout);
         for (const auto& name : words.maps)
             o.maps.push_back(map_named(name));
+        expect_sensible(o);
     } catch (const Error& e) {
         // Which of the two a word came from is no longer known.
         throw UsageError(words.recipe.empty()
@@ -204,6 +206,8 @@ void run(CLI::App& command, BakeWords& words)
         apply_recipe(command, words.recipe, kPathKeys);
     interpret(words);
     words.options.as_given = given_options(command);
+    note_for_supervisor({words.options.height_file.string(), words.options.color_file.string()},
+                        words.options.output);
 
     Manifest manifest;
     {

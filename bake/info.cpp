@@ -24,7 +24,7 @@ std::string cell(const std::optional<double>& value, const char* format)
 
 void print_head(const Manifest& m)
 {
-    fmt::print("{}  {}x{}, {} levels, {}\n", m.name, m.width, m.height, m.levels.size(),
+    fmt::print("{}  {}x{}, {} levels, scree {}\n", m.name, m.width, m.height, m.levels.size(),
                m.program_version);
     for (const auto& input : m.inputs)
         fmt::print("  {:8} {} ({}x{} {}, channels {}{}{}) sha256 {:.12}...\n", input.role,

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "bake/commands.h"
+#include "bake/supervisor.h"
 #include "bake/terminal.h"
 #include "math/error.h"
 #include "version.h"
@@ -44,9 +45,7 @@ int complain(const char* what, int status)
     return status;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int guarded(int argc, char** argv)
 {
     try {
         return run(argc, argv);
@@ -60,4 +59,11 @@ int main(int argc, char** argv)
     } catch (const std::exception& e) {
         return complain(e.what(), kFailed);
     }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return scree::tool::run_supervised([argc, argv] { return guarded(argc, argv); });
 }

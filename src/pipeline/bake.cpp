@@ -25,11 +25,8 @@ namespace {
 std::vector<Map> choose_maps(const Source& source, const BakeOptions& options, bool complete)
 {
     std::vector<Map> maps;
-    if (options.layout == Layout::bumpslopes) {
-        if (!options.maps.empty())
-            throw Error("--maps goes with --layout scree; bumpslopes is one file of its own");
+    if (options.layout == Layout::bumpslopes)
         return {Map::bumpslopes};
-    }
     maps = options.maps;
     if (maps.empty()) {
         maps = {Map::slope, Map::tail};
@@ -80,32 +77,11 @@ std::array<double, 2> texel_size(const Source& source, const BakeOptions& option
     return {1 / w, 1 / w}; // the map is one unit wide, its texels square
 }
 
-void expect_sensible(const BakeOptions& options)
-{
-    if (options.texel_size && options.world_size)
-        throw Error("--texel-size and --world-size say the same thing; give one of them");
-    auto expect_positive = [](const auto& size, const char* option) {
-        if (size)
-            for (const double side : *size)
-                if (!(side > 0) || !std::isfinite(side))
-                    throw Error(
-                        fmt::format("{}: {} is no size; give world units above 0", option, side));
-    };
-    expect_positive(options.texel_size, "--texel-size");
-    expect_positive(options.world_size, "--world-size");
-    if (!std::isfinite(options.height_scale) || !std::isfinite(options.height_offset))
-        throw Error("--height-scale and --height-offset must be finite");
-    if (!(options.half_tolerance >= 0))
-        throw Error("--half-tolerance must be 0 or more");
-    if (options.output.empty())
-        throw Error("no output folder; give -o DIR");
-}
-
 Attributes attributes_of(Map map, const Manifest& manifest)
 {
     Attributes attributes = {{"textureformat", std::string("Plain Texture")},
                              {"wrapmodes", manifest.wrap_s + "," + manifest.wrap_t},
-                             {"Software", manifest.program_version},
+                             {"Software", "scree " + manifest.program_version},
                              {"scree:set", manifest.name},
                              {"scree:map", map_info(map).name},
                              {"scree:meaning", map_info(map).meaning},

@@ -35,7 +35,8 @@ void ColorReader::read(int y, int count, std::vector<float>& color, Rejects& rej
     alpha.resize(source_alpha_ ? texels : 0);
     for (size_t i = 0; i < texels; ++i) {
         const float* from = &interleaved_[i * channels];
-        std::copy_n(from, 3, &color[i * 3]);
+        for (size_t c = 0; c < 3; ++c)
+            color[i * 3 + c] = source_alpha_ && from[3] > 0 ? from[c] / from[3] : from[c];
         if (source_alpha_)
             alpha[i] = from[3];
         for (int c = 0; c < 3; ++c)
@@ -61,9 +62,11 @@ void ColorReader::read_linear(int count, float* out)
     }
     conversion.apply(linear_.data(), static_cast<long>(texels));
     for (size_t i = 0; i < texels; ++i) {
-        out = std::copy_n(&linear_[i * 3], 3, out);
+        const float a = source_alpha_ ? pixels[i * stride + 3] : 1;
+        for (size_t c = 0; c < 3; ++c)
+            *out++ = linear_[i * 3 + c] * a;
         if (source_alpha_)
-            *out++ = pixels[i * stride + 3];
+            *out++ = a;
     }
 }
 

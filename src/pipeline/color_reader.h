@@ -27,6 +27,8 @@ public:
     std::vector<float> alpha; ///< of the rows just read; empty without
 
 private:
+    /// Rows of the file, linear, times alpha where alpha is the weight: what resampling may
+    /// average.
     void read_linear(int count, float* out);
 
     RowResampler resampler_;

@@ -37,6 +37,11 @@ FileSource::FileSource(const BakeOptions& options)
 
 FileSource::~FileSource() = default;
 
+std::string FileSource::name() const
+{
+    return height_ ? height_->rows.info().path : normal_->rows.info().path;
+}
+
 int FileSource::width() const
 {
     return height_ ? height_->rows.info().width : normal_->rows.info().width;

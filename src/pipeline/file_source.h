@@ -28,6 +28,7 @@ public:
     explicit FileSource(const BakeOptions& options);
     ~FileSource() override;
 
+    [[nodiscard]] std::string name() const override;
     [[nodiscard]] int width() const override;
     [[nodiscard]] int height() const override;
     [[nodiscard]] bool has_heights() const override;

@@ -26,8 +26,10 @@ int choose_height_channel(const ImageInfo& info, const BakeOptions& options)
 
 HeightReader::HeightReader(const BakeOptions& options)
     : rows(options.height_file, options.alpha_weight), scale_(options.height_scale),
-      offset_(options.height_offset), no_data_(options.no_data_height)
+      offset_(options.height_offset)
 {
+    if (options.no_data_height) // as the file holds it, so that a decimal number finds its float
+        no_data_ = static_cast<float>(*options.no_data_height);
     rows.choose({choose_height_channel(rows.info(), options)});
 }
 
@@ -40,7 +42,7 @@ void HeightReader::read(int y, int count, std::vector<double>& height, Rejects& 
         const float value = pixels[i * static_cast<size_t>(rows.stride())];
         const auto texel = static_cast<int>(i);
         height[i] = offset_ + scale_ * static_cast<double>(value);
-        if (no_data_ && static_cast<double>(value) == *no_data_) {
+        if (no_data_ && value == *no_data_) {
             height[i] = kNoData;
             reject(rejects.marked, rows.info().path, rows.name(0), texel % width,
                    y + texel / width);

@@ -25,7 +25,7 @@ public:
 
 private:
     double scale_, offset_;
-    std::optional<double> no_data_;
+    std::optional<float> no_data_;
 };
 
 } // namespace scree

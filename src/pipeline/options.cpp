@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <initializer_list>
 #include <utility>
 
@@ -45,6 +46,29 @@ const Choices<Reconstruction> kReconstructions = {{"bilinear", Reconstruction::b
 const Choices<Layout> kLayouts = {{"scree", Layout::scree}, {"bumpslopes", Layout::bumpslopes}};
 
 } // namespace
+
+void expect_sensible(const BakeOptions& options)
+{
+    if (options.texel_size && options.world_size)
+        throw Error("--texel-size and --world-size say the same thing; give one of them");
+    auto expect_positive = [](const auto& size, const char* option) {
+        if (size)
+            for (const double side : *size)
+                if (!(side > 0) || !std::isfinite(side))
+                    throw Error(
+                        fmt::format("{}: {} is no size; give world units above 0", option, side));
+    };
+    expect_positive(options.texel_size, "--texel-size");
+    expect_positive(options.world_size, "--world-size");
+    if (!std::isfinite(options.height_scale) || !std::isfinite(options.height_offset))
+        throw Error("--height-scale and --height-offset must be finite");
+    if (!(options.half_tolerance >= 0))
+        throw Error("--half-tolerance must be 0 or more");
+    if (options.output.empty())
+        throw Error("no output folder; give -o DIR");
+    if (options.layout == Layout::bumpslopes && !options.maps.empty())
+        throw Error("--maps goes with --layout scree; bumpslopes is one file of its own");
+}
 
 void BakeMonitor::report(const char* phase, double done) const
 {

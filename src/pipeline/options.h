@@ -54,6 +54,9 @@ struct BakeOptions {
     std::map<std::string, std::string> as_given; ///< recorded in the manifest
 };
 
+/// Throws Error when options contradict each other or hold no sensible number.
+void expect_sensible(const BakeOptions& options);
+
 /// What a bake tells while it runs, and how it is told to stop.
 struct BakeMonitor {
     std::function<void(const char* phase, double done)> progress; ///< done in [0, 1]

@@ -35,6 +35,8 @@ class Source {
 public:
     virtual ~Source() = default;
 
+    /// What to call it in messages.
+    [[nodiscard]] virtual std::string name() const = 0;
     [[nodiscard]] virtual int width() const = 0;
     [[nodiscard]] virtual int height() const = 0;
     [[nodiscard]] virtual bool has_heights() const = 0; ///< else slopes

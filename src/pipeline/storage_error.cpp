@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "stats/kurtosis.h"
 #include "texset/mip_file.h"
@@ -42,7 +43,11 @@ double StorageError::largest_error(MomentRow row, int count) const
     auto value = [&](int channel, int i) { return Store::value(values[channel][i]); };
     auto truth = [&](int plane, int i) { return row.plane(plane)[i]; };
     double largest = 0;
-    auto note = [&](double error) { largest = error < kLost ? std::max(largest, error) : kLost; };
+    // Infinite and NaN (infinity minus infinity) alike: lost, whatever the yardstick.
+    auto note = [&](double error) {
+        largest = std::isfinite(error) ? std::max(largest, error)
+                                       : std::numeric_limits<double>::infinity();
+    };
     auto note_slope = [&](int i, int s, int t, int ss, int tt, int st) {
         note(covariance_error(value(s, i), value(s, i), value(ss, i), truth(layout_.slope_ss, i)));
         note(covariance_error(value(t, i), value(t, i), value(tt, i), truth(layout_.slope_tt, i)));

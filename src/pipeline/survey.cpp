@@ -1,5 +1,6 @@
 #include "pipeline/survey.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
@@ -163,8 +164,9 @@ Survey survey(Source& source, const BakeMonitor& monitor)
             tbb::make_filter<StripPtr, void>(tbb::filter_mode::serial_in_order, merge));
 
     if (!(all.height.weight > 0))
-        throw Error("no texel of the map has data: all are not finite, turned away, transparent "
-                    "or marked as no data");
+        throw Error(fmt::format("{}: no texel has data; check --height-channel, --input, --no-data "
+                                "and --alpha-weight",
+                                source.name()));
     result.rejects = source.rejects();
     result.weight = all.height.weight;
     result.no_data_texels = all.no_data;

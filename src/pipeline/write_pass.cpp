@@ -79,7 +79,8 @@ void expect_no_overflow(const std::vector<TextureOutput>& outputs)
     for (const TextureOutput& output : outputs)
         if (output.rows->overflowed())
             throw Error(fmt::format("{}: numbers beyond 65504 do not fit half floats; use "
-                                    "--pixel-type float or auto",
+                                    "--pixel-type float or auto, or check --texel-size and "
+                                    "--height-scale",
                                     map_info(output.map).name));
 }
 

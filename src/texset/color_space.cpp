@@ -110,7 +110,7 @@ ColorConversion::ColorConversion(const std::string& config_file, const std::stri
     working_space_ = working->getName();
     input_space_ = choose_input_space(*config, input_space, file_metadata, file);
     try {
-        // Lossless: the default replaces pow by an approximation, good to 1e-5 only.
+        // Lossless: nothing approximated for speed, whatever a version's default allows.
         processor_->cpu = config->getProcessor(input_space_.c_str(), working_space_.c_str())
                               ->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
     } catch (const ocio::Exception& e) {

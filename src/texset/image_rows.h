@@ -38,7 +38,8 @@ public:
 
     [[nodiscard]] const ImageInfo& info() const { return info_; }
 
-    /// The next `count` rows of some channels, interleaved; count x width x channels floats.
+    /// The next `count` rows of some channels, interleaved; count x width x channels floats. The
+    /// channels are the same in every call.
     void next(int count, const std::vector<int>& channels, float* pixels);
 
 private:

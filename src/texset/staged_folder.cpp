@@ -58,6 +58,12 @@ void expect_replaceable(const fs::path& folder)
                                     folder.string(), entry.path().filename().string()));
 }
 
+/// The hidden folder in which a process writes what will be `folder`.
+fs::path staging_beside(const fs::path& folder, int process)
+{
+    return folder.parent_path() / fmt::format(".{}.scree-{}", folder.filename().string(), process);
+}
+
 } // namespace
 
 StagedFolder::StagedFolder(const fs::path& folder)
@@ -69,8 +75,7 @@ StagedFolder::StagedFolder(const fs::path& folder)
         expect_replaceable(folder_);
         made_ = missing_folders(folder_.parent_path());
         fs::create_directories(folder_.parent_path());
-        staging_ = folder_.parent_path() /
-                   fmt::format(".{}.scree-{}", folder_.filename().string(), getpid());
+        staging_ = staging_beside(folder_, getpid());
         fs::remove_all(staging_); // of a killed run with the same process id
         fs::create_directory(staging_);
     } catch (const fs::filesystem_error& e) {
@@ -85,6 +90,16 @@ StagedFolder::~StagedFolder()
     std::error_code ignored; // nothing left to do about it
     fs::remove_all(staging_, ignored);
     remove_made();
+}
+
+void StagedFolder::remove_leftovers(const fs::path& folder, int process) noexcept
+{
+    try {
+        std::error_code ignored;
+        fs::remove_all(staging_beside(real_place(folder), process), ignored);
+    } catch (const std::exception&) {
+        return; // a place that cannot even be named holds nothing of ours
+    }
 }
 
 void StagedFolder::remove_made()

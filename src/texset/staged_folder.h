@@ -21,6 +21,9 @@ public:
     StagedFolder(const StagedFolder&) = delete;
     StagedFolder& operator=(const StagedFolder&) = delete;
 
+    /// Removes what a process that died was writing for `folder`; never throws.
+    static void remove_leftovers(const std::filesystem::path& folder, int process) noexcept;
+
     /// Where to write.
     [[nodiscard]] const std::filesystem::path& path() const { return staging_; }
 

@@ -23,6 +23,7 @@ class FieldSource final : public scree::Source {
 public:
     explicit FieldSource(int size) : field_(scree::make_sample("fractal", size, size)) {}
 
+    [[nodiscard]] std::string name() const override { return "fractal"; }
     [[nodiscard]] int width() const override { return field_->info().width_texels; }
     [[nodiscard]] int height() const override { return field_->info().height_texels; }
     [[nodiscard]] bool has_heights() const override { return true; }

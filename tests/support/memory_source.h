@@ -21,6 +21,7 @@ public:
     std::vector<std::array<double, 3>> colors;
     std::vector<double> weights;
 
+    std::string name() const override { return "memory"; }
     int width() const override { return map_width; }
     int height() const override { return map_height; }
     bool has_heights() const override { return slopes.empty(); }

@@ -1,0 +1,61 @@
+#!/bin/bash
+# What `cmake --install` puts in place is enough: the tool runs from there, and a project of its own
+# finds the library, builds and bakes with it.
+. "$(dirname "$0")/lib.sh"
+need cmake c++
+
+build=$(dirname "$(dirname "$scree")")
+[ -f "$build/CMakeCache.txt" ] || skip_all "$build is no build directory"
+prefix=$work/prefix
+
+# cached NAME: a variable of the build.
+cached()
+{
+    sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"
+}
+flags=$(cached CMAKE_CXX_FLAGS) # those of a sanitizer, say: the consumer must link alike
+
+expect_success "install" -- cmake --install "$build" --prefix "$prefix"
+rm -rf "$work/moved" && mv "$prefix" "$work/moved" && prefix=$work/moved # packages are relocatable
+
+# --- the tool ------------------------------------------------------------------------------------
+
+tool=$prefix/bin/scree
+expect_success "the installed tool tells its version" -- "$tool" --version
+expect_success "the installed tool makes a sample" -- "$tool" sample plane -o sample --quiet
+height=sample/plane.height.exr
+expect_success "the installed tool bakes" -- "$tool" bake --height "$height" -o out --quiet
+[ -n "$(find out -name '*.scree.json')" ] || fail "the installed tool left no manifest"
+for recipe in "$prefix"/share/scree/configs/*.toml; do
+    expect_success "the installed recipe $(basename "$recipe")" -- \
+        "$tool" bake "$recipe" --height "$height" \
+        --color sample/plane.color.exr --texel-size 1 -o out --quiet
+done
+
+# --- a project that uses the library -------------------------------------------------------------
+
+expect_success "configure the consumer" -- cmake -S "$repo/tests/consumer" -B consumer \
+    -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS="$flags"
+[ "$status" -eq 0 ] || finish
+grep -q "$prefix" consumer/CMakeCache.txt || fail "the consumer found another scree"
+expect_success "build the consumer" -- cmake --build consumer
+expect_success "run the consumer" -- consumer/consumer consumed
+grep -qx 'plane 40x24, 6 levels, slope 0.500000 -0.250000' stdout ||
+    fail "the consumer printed: $(cat stdout)"
+expect_success "the tool reads what the consumer baked" -- "$tool" info consumed
+
+# A consumer sees nothing of the source tree or the build tree.
+if grep -rl -e "$repo/src" -e "$build" "$prefix/lib" --include='*.cmake' > leaks; then
+    fail "files that name the build: $(cat leaks)"
+fi
+
+# Every header can be included, and leaves nothing out.
+headers=$(cd "$prefix/include/scree" && find . -name '*.h' | sed 's|^\./||' | sort)
+[ -n "$headers" ] || fail "no headers are installed"
+for header in $headers; do
+    printf '#include <%s>\n' "$header"
+done > all.cpp
+expect_success "include every header" -- c++ -std=c++17 -Wall -Wextra -Werror -fsyntax-only \
+    -I "$prefix/include/scree" all.cpp
+
+finish

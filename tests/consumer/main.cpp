@@ -1,0 +1,58 @@
+// Bakes a slope made on the fly and reads its manifest: consumer FOLDER.
+
+#include <pipeline/bake.h>
+#include <texset/manifest.h>
+
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+/// A plane of slope (0.5, -0.25) on a map of 40 x 24 texels of size 1.
+class Plane : public scree::Source {
+public:
+    int width() const override { return 40; }
+    int height() const override { return 24; }
+    bool has_heights() const override { return true; }
+    bool has_color() const override { return false; }
+    void rewind() override { next_row_ = 0; }
+    void read(int count, scree::SurfaceRows& rows) override
+    {
+        rows = {};
+        for (int row = 0; row < count; ++row, ++next_row_)
+            for (int x = 0; x < width(); ++x)
+                rows.height.push_back(0.5 * x - 0.25 * next_row_);
+    }
+    const scree::Rejects& rejects() const override { return rejects_; }
+
+private:
+    int next_row_ = 0;
+    scree::Rejects rejects_;
+};
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc != 2)
+        return 2;
+    try {
+        Plane plane;
+        scree::BakeOptions options;
+        options.output = argv[1];
+        options.texel_size = {{1, 1}};
+        options.wrap_s = options.wrap_t = scree::Wrap::clamp;
+        scree::Manifest manifest;
+        manifest.name = "plane";
+        scree::bake(plane, options, manifest);
+
+        const scree::Manifest read = scree::read_manifest(options.output);
+        const auto slope = read.levels.back().mean_slope.value();
+        std::printf("%s %dx%d, %zu levels, slope %.6f %.6f\n", read.name.c_str(), read.width,
+                    read.height, read.levels.size(), slope[0], slope[1]);
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "%s\n", e.what());
+        return 1;
+    }
+    return 0;
+}
