@@ -82,8 +82,8 @@ int run_supervised(const std::function<int()>& work)
         // loaded, which a fork does not copy, and waits for them in its destructor.
         _exit(status);
     }
-    // Ctrl-C reaches the child by itself, as one of the terminal's group; kill reaches only us.
-    std::signal(SIGINT, SIG_IGN);
+    // kill reaches only us; Ctrl-C both, and a second signal does no harm.
+    std::signal(SIGINT, pass_on);
     std::signal(SIGTERM, pass_on);
     std::signal(SIGHUP, pass_on);
     return wait_for_child();

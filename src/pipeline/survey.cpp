@@ -164,9 +164,10 @@ Survey survey(Source& source, const BakeMonitor& monitor)
             tbb::make_filter<StripPtr, void>(tbb::filter_mode::serial_in_order, merge));
 
     if (!(all.height.weight > 0))
-        throw Error(fmt::format("{}: no texel has data; check --height-channel, --input, --no-data "
-                                "and --alpha-weight",
-                                source.name()));
+        throw Error(
+            fmt::format("{}: no data in any texel; check --height-channel, --input, --no-data "
+                        "and --alpha-weight",
+                        source.name()));
     result.rejects = source.rejects();
     result.weight = all.height.weight;
     result.no_data_texels = all.no_data;

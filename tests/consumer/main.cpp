@@ -1,6 +1,7 @@
 // Bakes a slope made on the fly and reads its manifest: consumer FOLDER.
 
 #include <pipeline/bake.h>
+#include <string>
 #include <texset/manifest.h>
 
 #include <cstdio>
@@ -11,6 +12,7 @@ namespace {
 /// A plane of slope (0.5, -0.25) on a map of 40 x 24 texels of size 1.
 class Plane : public scree::Source {
 public:
+    std::string name() const override { return "plane"; }
     int width() const override { return 40; }
     int height() const override { return 24; }
     bool has_heights() const override { return true; }
