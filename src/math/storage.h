@@ -9,19 +9,20 @@ namespace scree {
 /// How a number is stored in a file: IEEE binary32, or binary16 by its bits.
 ///
 /// Both are sign and magnitude, so adding one to the bits of a finite number is one step away
-/// from zero; `step_up` relies on it.
+/// from zero; `step_up` relies on it. Bits are worked with in 32-bit words, which is what
+/// processors have vectors of, and narrowed to `Bits` at the end.
 struct StoreFloat {
     using Bits = uint32_t;
     static constexpr double kLargest = std::numeric_limits<float>::max();
 
-    static Bits nearest(double value)
+    static uint32_t nearest(double value)
     {
         const auto rounded = static_cast<float>(value);
-        Bits bits = 0;
+        uint32_t bits = 0;
         std::memcpy(&bits, &rounded, sizeof bits);
         return bits;
     }
-    static double value(Bits bits)
+    static double value(uint32_t bits)
     {
         float stored = 0;
         std::memcpy(&stored, &bits, sizeof stored);
@@ -36,7 +37,7 @@ struct StoreHalf {
     /// Rounded to the nearest, ties to even, as Imath and processors do it; without branches, so
     /// that loops over it are vectorised. By way of float: that moves a value within 2^-24 of the
     /// middle of two halves, far below the step between them.
-    static Bits nearest(double value)
+    static uint32_t nearest(double value)
     {
         const uint32_t with_sign = StoreFloat::nearest(value);
         const uint32_t bits = with_sign & 0x7fffffffU;
@@ -50,14 +51,13 @@ struct StoreHalf {
         const uint32_t magnitude = bits >= 0x477ff000U  ? 0x7c00U // 65520 and up: infinite
                                    : bits < 0x38800000U ? small
                                                         : normal;
-        return static_cast<Bits>(magnitude | ((with_sign >> 16) & 0x8000U));
+        return magnitude | ((with_sign >> 16) & 0x8000U);
     }
 
-    static double value(Bits bits)
+    static double value(uint32_t bits)
     {
         // The exponent's bias changed by a multiplication, which also mends subnormals.
-        const double magnitude =
-            StoreFloat::value(static_cast<uint32_t>(bits & 0x7fffU) << 13) * 0x1p112;
+        const double magnitude = StoreFloat::value((bits & 0x7fffU) << 13) * 0x1p112;
         const double finite =
             magnitude < 65536 ? magnitude : std::numeric_limits<double>::infinity();
         return (bits & 0x8000U) != 0 ? -finite : finite;
@@ -65,10 +65,6 @@ struct StoreHalf {
 };
 
 /// The next stored number above `bits`, which holds a number >= 0 and below the largest.
-template <class Store>
-typename Store::Bits step_up(typename Store::Bits bits)
-{
-    return static_cast<typename Store::Bits>(bits + 1);
-}
+inline uint32_t step_up(uint32_t bits) { return bits + 1; }
 
 } // namespace scree

@@ -124,7 +124,7 @@ std::vector<TextureRecord> choose_types(const std::vector<Map>& maps, Source& so
             std::make_unique<StorageError>(map, layout, scale, source.width(), source.height()));
         visitors.push_back(errors.back().get());
     }
-    StripReader strips(source, found, options);
+    StripReader strips(source, found, options, false);
     MomentPyramid pyramid(layout, source.width(), source.height(), visitors);
     measure_pass(strips, pyramid, texels, source.height(), monitor);
     for (size_t i = 0; i < textures.size(); ++i) {
@@ -136,20 +136,25 @@ std::vector<TextureRecord> choose_types(const std::vector<Map>& maps, Source& so
     return textures;
 }
 
-} // namespace
+/// Limits all threads, Scree's and those of the image libraries, while it exists.
+class ThreadLimit {
+public:
+    explicit ThreadLimit(int asked)
+        : threads_(asked > 0 ? asked
+                             : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
+          tbb_(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads_))
+    {
+        set_image_threads(threads_);
+    }
 
-Manifest bake(Source& source, const BakeOptions& options, Manifest manifest,
-              const BakeMonitor& monitor)
+private:
+    int threads_;
+    tbb::global_control tbb_;
+};
+
+Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& options,
+                   Manifest manifest, const BakeMonitor& monitor)
 {
-    expect_sensible(options);
-    const int threads = options.threads > 0
-                            ? options.threads
-                            : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<size_t>(threads));
-    set_image_threads(threads);
-    StagedFolder folder(options.output); // first, so that a bad -o fails before the work
-
     const Survey found = survey(source, monitor);
     const auto maps = choose_maps(source, options, found.complete);
     const MomentLayout layout = moments_for(maps, source);
@@ -193,7 +198,7 @@ Manifest bake(Source& source, const BakeOptions& options, Manifest manifest,
         visitors.push_back(output.rows.get());
         outputs.push_back(std::move(output));
     }
-    StripReader strips(source, found, options);
+    StripReader strips(source, found, options, true);
     MomentPyramid pyramid(layout, source.width(), source.height(), visitors);
     write_pass(strips, pyramid, texels, outputs, source.height(), monitor);
 
@@ -208,11 +213,25 @@ Manifest bake(Source& source, const BakeOptions& options, Manifest manifest,
     return manifest;
 }
 
+} // namespace
+
+Manifest bake(Source& source, const BakeOptions& options, Manifest manifest,
+              const BakeMonitor& monitor)
+{
+    expect_sensible(options);
+    const ThreadLimit limit(options.threads);
+    StagedFolder folder(options.output); // first, so that a bad -o fails before the work
+    return bake_into(folder, source, options, std::move(manifest), monitor);
+}
+
 Manifest bake(const BakeOptions& options, const BakeMonitor& monitor)
 {
+    expect_sensible(options);
     if (options.height_file.empty())
         throw Error("no height map; give --height FILE (see scree bake --help)");
-    FileSource source(options);
+    const ThreadLimit limit(options.threads);
+    StagedFolder folder(options.output);
+    FileSource source(options, folder.path());
     Manifest manifest;
     manifest.name = options.name.empty() ? options.height_file.stem().string() : options.name;
     manifest.inputs = source.records();
@@ -220,7 +239,7 @@ Manifest bake(const BakeOptions& options, const BakeMonitor& monitor)
     manifest.warnings = source.notes();
     manifest.quantum = source.quantum();
     manifest.integer_bits = source.integer_bits();
-    return bake(source, options, std::move(manifest), monitor);
+    return bake_into(folder, source, options, std::move(manifest), monitor);
 }
 
 } // namespace scree

@@ -8,10 +8,11 @@ namespace scree {
 
 /// Bakes a texture set from files into options.output.
 ///
-/// Reads the inputs twice: a cheap survey (h0, h1, holes, the rows a periodic map needs), and the
-/// pass that makes every level and writes its tiles as they become ready. `--pixel-type auto` adds
-/// a pass in between that measures what half storage would cost. Reading, computing, compression
-/// and writing overlap; memory grows with the map's width. The bytes written depend on inputs and
+/// Goes over the inputs twice: a cheap survey (h0, h1, holes, the rows a periodic map needs), and
+/// the pass that makes every level and writes its tiles as they become ready. `--pixel-type auto`
+/// adds a pass in between that measures what half storage would cost. They are decoded once and
+/// kept, as floats, in an unnamed file beside the output. Reading, computing, compression and
+/// writing overlap; memory grows with the map's width. The bytes written depend on inputs and
 /// options alone, not on options.threads.
 ///
 /// Returns the manifest that was written. Throws Error (or Cancelled); then nothing is left behind

@@ -16,9 +16,25 @@ void reject(Rejects::Count& count, const std::string& file, const std::string& c
         count.first = fmt::format("{}, channel {}, texel ({}, {})", file, channel, x, y);
 }
 
-ChannelRows::ChannelRows(std::filesystem::path file, bool with_alpha)
+ChannelRows::ChannelRows(std::filesystem::path file, bool with_alpha,
+                         const std::filesystem::path& spool_folder)
     : file_(std::move(file)), image_(file_), with_alpha_(with_alpha)
-{}
+{
+    if (!spool_folder.empty())
+        spool_ = std::make_unique<Spool>(spool_folder);
+}
+
+void ChannelRows::rewind(bool last_time)
+{
+    next_row_ = 0;
+    if (spool_ && spool_->whole()) {
+        spool_->rewind(last_time);
+        return;
+    }
+    image_ = ImageRows(file_);
+    if (spool_)
+        spool_->clear();
+}
 
 std::string ChannelRows::name(int place) const
 {
@@ -40,7 +56,16 @@ const float* ChannelRows::next(int count)
 {
     pixels_.resize(static_cast<size_t>(count) * static_cast<size_t>(info().width) *
                    channels_.size());
+    next_row_ += count;
+    if (spool_ && spool_->whole()) {
+        spool_->read(pixels_.data(), pixels_.size());
+        return pixels_.data();
+    }
     image_.next(count, channels_, pixels_.data());
+    if (spool_ && !spool_->append(pixels_.data(), pixels_.size()))
+        spool_.reset();
+    if (spool_ && next_row_ == info().height)
+        spool_->finish();
     return pixels_.data();
 }
 

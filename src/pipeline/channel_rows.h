@@ -2,12 +2,14 @@
 
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "pipeline/source.h"
 #include "texset/image_rows.h"
 #include "texset/manifest.h"
+#include "texset/spool.h"
 
 namespace scree {
 
@@ -19,10 +21,12 @@ void reject(Rejects::Count& count, const std::string& file, const std::string& c
             int y);
 
 /// A file's channels for one purpose, read as interleaved floats, alpha behind them if it is asked
-/// for and there.
+/// for and there. The file is decoded once: what was read is kept in a spool, if there is room.
 class ChannelRows {
 public:
-    ChannelRows(std::filesystem::path file, bool with_alpha);
+    /// spool_folder  where to keep what was decoded; empty: nowhere, decode again
+    ChannelRows(std::filesystem::path file, bool with_alpha,
+                const std::filesystem::path& spool_folder);
 
     [[nodiscard]] const ImageInfo& info() const { return image_.info(); }
     [[nodiscard]] bool has_alpha() const { return alpha_place_ >= 0; }
@@ -34,7 +38,7 @@ public:
     /// Which channels to read, by index in the file.
     void choose(std::vector<int> channels);
 
-    void rewind() { image_ = ImageRows(file_); }
+    void rewind(bool last_time);
 
     /// The next rows, valid until the next call.
     const float* next(int count);
@@ -51,6 +55,8 @@ private:
     bool with_alpha_;
     std::vector<int> channels_;
     int alpha_place_ = -1;
+    int next_row_ = 0;
+    std::unique_ptr<Spool> spool_;
     std::vector<float> pixels_;
 };
 

@@ -5,8 +5,9 @@
 
 namespace scree {
 
-ColorReader::ColorReader(const BakeOptions& options, int width, int height)
-    : rows(options.color_file, options.alpha_weight),
+ColorReader::ColorReader(const BakeOptions& options, int width, int height,
+                         const std::filesystem::path& spool_folder)
+    : rows(options.color_file, options.alpha_weight, spool_folder),
       conversion(options.ocio_config, options.color_space, rows.info().color_space,
                  rows.info().path),
       resampler_(rows.info().width, rows.info().height, width, height, options.wrap_s,
@@ -17,9 +18,9 @@ ColorReader::ColorReader(const BakeOptions& options, int width, int height)
     source_alpha_ = rows.has_alpha();
 }
 
-void ColorReader::rewind()
+void ColorReader::rewind(bool last_time)
 {
-    rows.rewind();
+    rows.rewind(last_time);
     resampler_.rewind();
 }
 

@@ -13,10 +13,12 @@ namespace scree {
 class ColorReader {
 public:
     /// width, height  of the height map
+    /// spool_folder   see ChannelRows
     /// Throws Error when the file cannot be read, has no color, or its color space is unknown.
-    ColorReader(const BakeOptions& options, int width, int height);
+    ColorReader(const BakeOptions& options, int width, int height,
+                const std::filesystem::path& spool_folder);
 
-    void rewind();
+    void rewind(bool last_time);
 
     /// The next rows, linear, with alpha divided out of it where the file has it multiplied in and
     /// alpha is the weight. Texels that are not finite are counted.

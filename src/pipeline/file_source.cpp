@@ -11,14 +11,14 @@
 
 namespace scree {
 
-FileSource::FileSource(const BakeOptions& options)
+FileSource::FileSource(const BakeOptions& options, const std::filesystem::path& spool_folder)
 {
     if (options.normal_input)
-        normal_ = std::make_unique<NormalReader>(options);
+        normal_ = std::make_unique<NormalReader>(options, spool_folder);
     else
-        height_ = std::make_unique<HeightReader>(options);
+        height_ = std::make_unique<HeightReader>(options, spool_folder);
     if (!options.color_file.empty())
-        color_ = std::make_unique<ColorReader>(options, width(), height());
+        color_ = std::make_unique<ColorReader>(options, width(), height(), spool_folder);
 
     const ImageInfo& shape = options.normal_input ? normal_->rows.info() : height_->rows.info();
     if (color_ && !options.resample &&
@@ -56,14 +56,14 @@ bool FileSource::has_heights() const { return height_ != nullptr; }
 
 bool FileSource::has_color() const { return color_ != nullptr; }
 
-void FileSource::rewind()
+void FileSource::rewind(bool last_time)
 {
     if (height_)
-        height_->rows.rewind();
+        height_->rows.rewind(last_time);
     if (normal_)
-        normal_->rows.rewind();
+        normal_->rows.rewind(last_time);
     if (color_)
-        color_->rewind();
+        color_->rewind(last_time);
     next_row_ = 0;
     rejects_ = {};
 }

@@ -25,7 +25,8 @@ public:
     /// Throws Error when a file cannot be used: see ImageRows; also when the sizes differ without
     /// --resample, when the height channel is not clear, when a normal map or a color map has
     /// fewer than 3 channels, when --alpha-weight finds no alpha.
-    explicit FileSource(const BakeOptions& options);
+    /// spool_folder  where decoded rows are kept for the next pass; empty: nowhere
+    explicit FileSource(const BakeOptions& options, const std::filesystem::path& spool_folder = {});
     ~FileSource() override;
 
     [[nodiscard]] std::string name() const override;
@@ -33,7 +34,7 @@ public:
     [[nodiscard]] int height() const override;
     [[nodiscard]] bool has_heights() const override;
     [[nodiscard]] bool has_color() const override;
-    void rewind() override;
+    void rewind(bool last_time) override;
     void read(int count, SurfaceRows& rows) override;
     [[nodiscard]] const Rejects& rejects() const override;
 

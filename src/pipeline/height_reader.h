@@ -11,8 +11,9 @@ namespace scree {
 /// Heights of a file in world units: offset + scale * value.
 class HeightReader {
 public:
+    /// spool_folder  see ChannelRows
     /// Throws Error when the file cannot be read or its height channel is not clear.
-    explicit HeightReader(const BakeOptions& options);
+    HeightReader(const BakeOptions& options, const std::filesystem::path& spool_folder);
 
     /// The next rows; texels without data are kNoData and counted. `y` is the first row's number.
     void read(int y, int count, std::vector<double>& height, Rejects& rejects);

@@ -29,8 +29,9 @@ struct Rejects {
 
 /// Where a bake gets its surface from: image files, or a field made on the fly.
 ///
-/// Rows are read from the top, as often as the bake needs: rewind() starts over. A source gives
-/// the same rows every time.
+/// Rows are read from the top, as often as the bake needs: rewind() starts over, and says when it
+/// is for the last time, so that a source can let go of what it kept. A source gives the same rows
+/// every time.
 class Source {
 public:
     virtual ~Source() = default;
@@ -42,7 +43,7 @@ public:
     [[nodiscard]] virtual bool has_heights() const = 0; ///< else slopes
     [[nodiscard]] virtual bool has_color() const = 0;
 
-    virtual void rewind() = 0;
+    virtual void rewind(bool last_time) = 0;
     /// The next `count` rows; `rows` may hold others, whose memory is used again.
     virtual void read(int count, SurfaceRows& rows) = 0;
 

@@ -27,11 +27,12 @@ Edge edge_of(Wrap wrap, Reconstruction reconstruction)
 
 } // namespace
 
-StripReader::StripReader(Source& source, const Survey& survey, const BakeOptions& options)
+StripReader::StripReader(Source& source, const Survey& survey, const BakeOptions& options,
+                         bool last_time)
     : source_(source), survey_(survey), edge_s_(edge_of(options.wrap_s, options.reconstruction)),
       edge_t_(edge_of(options.wrap_t, options.reconstruction))
 {
-    source_.rewind();
+    source_.rewind(last_time);
     read_ahead();
 }
 
@@ -66,6 +67,8 @@ bool StripReader::next(Strip& strip)
     strip.first_row = next_row_;
     strip.count = std::min(kStripRows, height - next_row_);
     std::swap(strip.rows, ahead_);
+    std::swap(strip.rows.height, ahead_.height); // stays here: the padded rows hold it all
+    strip.rows.height.clear();
     std::swap(strip.padded, ahead_padded_);
     next_row_ += strip.count;
     read_ahead();
@@ -121,7 +124,7 @@ void given_slopes(const MomentLayout& layout, const double* slope_s, const doubl
 void TexelMoments::fill(const Strip& strip, int y, int x0, int count, MomentRow out) const
 {
     // What a texel has no spread of is 0; slopes of heights are set whole below.
-    const bool slopes_follow = layout_.slope_s >= 0 && !strip.rows.height.empty();
+    const bool slopes_follow = layout_.slope_s >= 0 && !strip.padded.empty();
     for (const auto& covariance : layout_.covariances) {
         const bool of_slope = covariance.a < 2 && covariance.b < 2;
         if (!(slopes_follow && of_slope))
@@ -134,7 +137,8 @@ void TexelMoments::fill(const Strip& strip, int y, int x0, int count, MomentRow 
     const auto row = static_cast<size_t>(y - strip.first_row);
     const size_t begin = row * static_cast<size_t>(width_) + static_cast<size_t>(x0);
     const SurfaceRows& in = strip.rows;
-    const double* presence = in.height.empty() ? &in.slope_s[begin] : &in.height[begin];
+    const double* presence =
+        strip.padded.empty() ? &in.slope_s[begin] : strip.padded[row + 1].data() + 1 + x0;
 
     double* weight = out.plane(MomentLayout::weight);
     for (int x = 0; x < count; ++x) {
@@ -142,7 +146,7 @@ void TexelMoments::fill(const Strip& strip, int y, int x0, int count, MomentRow 
             in.weight.empty() ? 1 : static_cast<double>(in.weight[begin + static_cast<size_t>(x)]);
         weight[x] = std::isnan(presence[x]) ? 0 : w;
     }
-    if (layout_.slope_s >= 0 && in.height.empty())
+    if (layout_.slope_s >= 0 && strip.padded.empty())
         given_slopes(layout_, &in.slope_s[begin], &in.slope_t[begin], count, out);
     if (slopes_follow) {
         const HeightRows heights{strip.padded[row].data() + x0, strip.padded[row + 1].data() + x0,

@@ -13,7 +13,7 @@ namespace scree {
 /// A strip of rows with what its texels need from beside it.
 struct Strip {
     int first_row = 0, count = 0;
-    SurfaceRows rows;
+    SurfaceRows rows; ///< heights excepted, which `padded` holds
     /// Rows first_row - 1 to first_row + count, each width + 2 heights in world units, the texels
     /// beyond the map filled in by its wrap; empty for a normal map.
     std::vector<std::vector<double>> padded;
@@ -22,7 +22,8 @@ struct Strip {
 /// Cuts a source into strips, in order, reading one strip ahead.
 class StripReader {
 public:
-    StripReader(Source& source, const Survey& survey, const BakeOptions& options);
+    /// last_time  nothing will read the source after this
+    StripReader(Source& source, const Survey& survey, const BakeOptions& options, bool last_time);
 
     /// False at the end of the map. `strip` may hold another, whose memory is used again.
     bool next(Strip& strip);

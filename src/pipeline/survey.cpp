@@ -156,7 +156,7 @@ Survey survey(Source& source, const BakeMonitor& monitor)
             result.last_row.assign(heights.end() - width, heights.end());
         used.give(strip);
     };
-    source.rewind();
+    source.rewind(false);
     tbb::parallel_pipeline(
         static_cast<size_t>(tbb::this_task_arena::max_concurrency()) + 1,
         tbb::make_filter<void, StripPtr>(tbb::filter_mode::serial_in_order, read) &

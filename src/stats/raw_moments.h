@@ -11,7 +11,8 @@ namespace scree {
 /// still puts it below x^2, it is stepped up. So x^2 <= xx holds for the stored numbers exactly
 /// and, rounding being monotonic, for a reader that squares in float32.
 ///
-/// mean, variance  `count` numbers, variance >= 0; what exceeds the type becomes infinite (see
+/// mean, variance  `count` numbers, at most kMergeRun, variance >= 0; what exceeds the type becomes
+/// infinite (see
 ///                 pipeline/storage_error.h, which keeps `auto` from choosing such a type)
 /// x, xx           the stored numbers, 32 bits for float and 16 for half (math/storage.h)
 void store_pairs(const double* mean, const double* variance, int count, uint32_t* x, uint32_t* xx);

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] const scree::SampleInfo& info() const { return field_->info(); }
     [[nodiscard]] const scree::Rejects& rejects() const override { return rejects_; }
 
-    void rewind() override { next_row_ = 0; }
+    void rewind(bool /*last_time*/) override { next_row_ = 0; }
 
     void read(int count, scree::SurfaceRows& rows) override
     {

@@ -17,7 +17,7 @@ public:
     int height() const override { return 24; }
     bool has_heights() const override { return true; }
     bool has_color() const override { return false; }
-    void rewind() override { next_row_ = 0; }
+    void rewind(bool /*last_time*/) override { next_row_ = 0; }
     void read(int count, scree::SurfaceRows& rows) override
     {
         rows = {};

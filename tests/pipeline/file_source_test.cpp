@@ -23,7 +23,7 @@ SurfaceRows read_all(FileSource& source, int strip = 64)
 {
     SurfaceRows all, rows;
     auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    source.rewind();
+    source.rewind(false);
     for (int y = 0; y < source.height(); y += strip) {
         source.read(std::min(strip, source.height() - y), rows);
         append(all.height, rows.height);

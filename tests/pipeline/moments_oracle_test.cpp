@@ -75,7 +75,7 @@ public:
                                   case_.input.dy);
         Recorder recorder(layout, source.width(), source.height());
         MomentPyramid pyramid(layout, source.width(), source.height(), {&recorder});
-        StripReader strips(source, found, case_.options);
+        StripReader strips(source, found, case_.options, true);
         Strip strip;
         while (strips.next(strip))
             pyramid.push(strip.count, [&](int y, int x0, int count, MomentRow row) {

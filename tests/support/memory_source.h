@@ -26,7 +26,7 @@ public:
     int height() const override { return map_height; }
     bool has_heights() const override { return slopes.empty(); }
     bool has_color() const override { return !colors.empty(); }
-    void rewind() override { next_ = 0; }
+    void rewind(bool /*last_time*/) override { next_ = 0; }
 
     void read(int count, SurfaceRows& rows) override
     {
