@@ -98,42 +98,118 @@ Attributes attributes_of(Map map, const Manifest& manifest)
     return attributes;
 }
 
-/// Chooses a pixel type for every map, measuring when asked to.
-std::vector<TextureRecord> choose_types(const std::vector<Map>& maps, Source& source,
-                                        const Survey& found, const MomentLayout& layout,
-                                        const TexelMoments& texels, const ValueScale& scale,
-                                        const BakeOptions& options, const std::string& name,
-                                        const BakeMonitor& monitor)
+/// What the passes of one bake share.
+struct Setup {
+    Setup(Source& from, const BakeOptions& given, const BakeMonitor& watch)
+        : source(from), options(given), monitor(watch), found(survey(from, watch)),
+          maps(choose_maps(from, given, found.complete)), layout(moments_for(maps, from)),
+          texel(texel_size(from, given)),
+          texels(layout, found, given, from.width(), texel[0], texel[1]), scale{found.h0, found.h1,
+                                                                                from.has_heights()}
+    {}
+
+    Source& source;
+    const BakeOptions& options;
+    const BakeMonitor& monitor;
+    Survey found;
+    std::vector<Map> maps;
+    MomentLayout layout;
+    std::array<double, 2> texel;
+    TexelMoments texels;
+    ValueScale scale;
+};
+
+/// All that is known before the first texel is written.
+void describe(const Setup& setup, Manifest& manifest)
+{
+    const BakeOptions& options = setup.options;
+    const bool has_heights = setup.source.has_heights();
+    manifest.program_version = kVersion;
+    manifest.width = setup.source.width();
+    manifest.height = setup.source.height();
+    manifest.wrap_s = wrap_name(options.wrap_s);
+    manifest.wrap_t = wrap_name(options.wrap_t);
+    manifest.texel_width = setup.texel[0];
+    manifest.texel_height = setup.texel[1];
+    manifest.height_scale = options.height_scale;
+    manifest.height_offset = options.height_offset;
+    manifest.reconstruction =
+        has_heights ? reconstruction_name(options.reconstruction) : "given normals";
+    manifest.layout = layout_name(options.layout);
+    manifest.has_height = has_heights;
+    manifest.h0 = setup.found.h0;
+    manifest.h1 = setup.found.h1;
+    manifest.height_min = setup.found.height_min;
+    manifest.height_max = setup.found.height_max;
+    manifest.no_data_texels = setup.found.no_data_texels;
+    manifest.half_tolerance = options.half_tolerance;
+    manifest.compression = compression_name(options.compression);
+    manifest.options = options.as_given;
+}
+
+/// One texture a map, of the type that was given, or float.
+std::vector<TextureRecord> textures_for(const Setup& setup, const std::string& name)
 {
     std::vector<TextureRecord> textures;
-    for (const Map map : maps) {
+    for (const Map map : setup.maps) {
         TextureRecord texture;
         texture.map = map;
         texture.file = fmt::format("{}.{}.exr", name, map_info(map).name);
-        texture.type =
-            options.pixel_type == PixelTypeChoice::half ? PixelType::half : PixelType::float32;
+        texture.type = setup.options.pixel_type == PixelTypeChoice::half ? PixelType::half
+                                                                         : PixelType::float32;
         textures.push_back(texture);
     }
-    if (options.pixel_type != PixelTypeChoice::automatic)
-        return textures;
+    return textures;
+}
 
+/// Measures what half and float cost and takes half where it costs little.
+void measure_types(const Setup& setup, std::vector<TextureRecord>& textures)
+{
+    const int width = setup.source.width(), height = setup.source.height();
     std::vector<std::unique_ptr<StorageError>> errors;
     std::vector<TexelVisitor*> visitors;
-    for (const Map map : maps) {
+    for (const TextureRecord& texture : textures) {
         errors.push_back(
-            std::make_unique<StorageError>(map, layout, scale, source.width(), source.height()));
+            std::make_unique<StorageError>(texture.map, setup.layout, setup.scale, width, height));
         visitors.push_back(errors.back().get());
     }
-    StripReader strips(source, found, options, false);
-    MomentPyramid pyramid(layout, source.width(), source.height(), visitors);
-    measure_pass(strips, pyramid, texels, source.height(), monitor);
+    StripReader strips(setup.source, setup.found, setup.options, false);
+    MomentPyramid pyramid(setup.layout, width, height, visitors);
+    measure_pass(strips, pyramid, setup.texels, height, setup.monitor);
     for (size_t i = 0; i < textures.size(); ++i) {
-        textures[i].half_error = errors[i]->half_error();
-        textures[i].float_error = errors[i]->float_error();
-        textures[i].type = *textures[i].half_error <= options.half_tolerance ? PixelType::half
-                                                                             : PixelType::float32;
+        TextureRecord& texture = textures[i];
+        texture.half_error = errors[i]->half_error();
+        texture.float_error = errors[i]->float_error();
+        const bool half_will_do = *texture.half_error <= setup.options.half_tolerance;
+        texture.type = half_will_do ? PixelType::half : PixelType::float32;
     }
-    return textures;
+}
+
+/// Writes all textures; returns the summaries of their levels.
+std::vector<LevelSummary> write_textures(const Setup& setup, const Manifest& manifest,
+                                         const std::filesystem::path& folder)
+{
+    const int width = setup.source.width(), height = setup.source.height();
+    std::vector<TextureOutput> outputs;
+    LevelStatistics statistics(setup.layout, width, height, setup.found.h1);
+    std::vector<TexelVisitor*> visitors = {&statistics};
+    for (const TextureRecord& texture : manifest.textures) {
+        TextureOutput output{
+            texture.map,
+            std::make_unique<MipFile>(folder / texture.file,
+                                      MipLayout{width, height, map_info(texture.map).channels,
+                                                texture.type, setup.options.compression,
+                                                attributes_of(texture.map, manifest)}),
+            nullptr};
+        output.rows =
+            std::make_unique<TextureRows>(texture.map, setup.layout, setup.scale, *output.file);
+        visitors.push_back(output.rows.get());
+        outputs.push_back(std::move(output));
+    }
+    StripReader strips(setup.source, setup.found, setup.options, true);
+    MomentPyramid pyramid(setup.layout, width, height, visitors);
+    write_pass(strips, pyramid, setup.texels, outputs, height, setup.monitor);
+    return statistics.summaries();
 }
 
 /// Limits all threads, Scree's and those of the image libraries, while it exists.
@@ -155,55 +231,14 @@ private:
 Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& options,
                    Manifest manifest, const BakeMonitor& monitor)
 {
-    const Survey found = survey(source, monitor);
-    const auto maps = choose_maps(source, options, found.complete);
-    const MomentLayout layout = moments_for(maps, source);
-    const auto texel = texel_size(source, options);
-    const TexelMoments texels(layout, found, options, source.width(), texel[0], texel[1]);
-    const ValueScale scale{found.h0, found.h1, source.has_heights()};
+    const Setup setup(source, options, monitor);
+    describe(setup, manifest);
+    manifest.textures = textures_for(setup, manifest.name);
+    if (options.pixel_type == PixelTypeChoice::automatic)
+        measure_types(setup, manifest.textures);
+    manifest.levels = write_textures(setup, manifest, folder.path());
 
-    manifest.program_version = kVersion;
-    manifest.width = source.width();
-    manifest.height = source.height();
-    manifest.wrap_s = wrap_name(options.wrap_s);
-    manifest.wrap_t = wrap_name(options.wrap_t);
-    manifest.texel_width = texel[0];
-    manifest.texel_height = texel[1];
-    manifest.height_scale = options.height_scale;
-    manifest.height_offset = options.height_offset;
-    manifest.reconstruction =
-        source.has_heights() ? reconstruction_name(options.reconstruction) : "given normals";
-    manifest.layout = layout_name(options.layout);
-    manifest.has_height = source.has_heights();
-    manifest.h0 = found.h0;
-    manifest.h1 = found.h1;
-    manifest.height_min = found.height_min;
-    manifest.height_max = found.height_max;
-    manifest.no_data_texels = found.no_data_texels;
-    manifest.half_tolerance = options.half_tolerance;
-    manifest.compression = compression_name(options.compression);
-    manifest.options = options.as_given;
-    manifest.textures =
-        choose_types(maps, source, found, layout, texels, scale, options, manifest.name, monitor);
-
-    std::vector<TextureOutput> outputs;
-    LevelStatistics statistics(layout, source.width(), source.height(), found.h1);
-    std::vector<TexelVisitor*> visitors = {&statistics};
-    for (const TextureRecord& texture : manifest.textures) {
-        MipLayout mip{source.width(), source.height(),     map_info(texture.map).channels,
-                      texture.type,   options.compression, attributes_of(texture.map, manifest)};
-        TextureOutput output{texture.map,
-                             std::make_unique<MipFile>(folder.path() / texture.file, mip), nullptr};
-        output.rows = std::make_unique<TextureRows>(texture.map, layout, scale, *output.file);
-        visitors.push_back(output.rows.get());
-        outputs.push_back(std::move(output));
-    }
-    StripReader strips(source, found, options, true);
-    MomentPyramid pyramid(layout, source.width(), source.height(), visitors);
-    write_pass(strips, pyramid, texels, outputs, source.height(), monitor);
-
-    manifest.levels = statistics.summaries();
-    for (auto& warning : rejects_warnings(found.rejects))
+    for (auto& warning : rejects_warnings(setup.found.rejects))
         manifest.warnings.push_back(std::move(warning));
     for (auto& warning : scale_warnings(manifest, options))
         manifest.warnings.push_back(std::move(warning));
