@@ -265,8 +265,9 @@ Manifest bake(const BakeOptions& options, const BakeMonitor& monitor)
     if (options.height_file.empty())
         throw Error("no height map; give --height FILE (see scree bake --help)");
     const ThreadLimit limit(options.threads);
+    FileSource source(options);
     StagedFolder folder(options.output);
-    FileSource source(options, folder.path());
+    source.spool_in(folder.path());
     Manifest manifest;
     manifest.name = options.name.empty() ? options.height_file.stem().string() : options.name;
     manifest.inputs = source.records();

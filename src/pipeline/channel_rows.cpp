@@ -16,12 +16,13 @@ void reject(Rejects::Count& count, const std::string& file, const std::string& c
         count.first = fmt::format("{}, channel {}, texel ({}, {})", file, channel, x, y);
 }
 
-ChannelRows::ChannelRows(std::filesystem::path file, bool with_alpha,
-                         const std::filesystem::path& spool_folder)
+ChannelRows::ChannelRows(std::filesystem::path file, bool with_alpha)
     : file_(std::move(file)), image_(file_), with_alpha_(with_alpha)
+{}
+
+void ChannelRows::spool_in(const std::filesystem::path& folder)
 {
-    if (!spool_folder.empty())
-        spool_ = std::make_unique<Spool>(spool_folder);
+    spool_ = std::make_unique<Spool>(folder);
 }
 
 void ChannelRows::rewind(bool last_time)

@@ -21,12 +21,10 @@ void reject(Rejects::Count& count, const std::string& file, const std::string& c
             int y);
 
 /// A file's channels for one purpose, read as interleaved floats, alpha behind them if it is asked
-/// for and there. The file is decoded once: what was read is kept in a spool, if there is room.
+/// for and there.
 class ChannelRows {
 public:
-    /// spool_folder  where to keep what was decoded; empty: nowhere, decode again
-    ChannelRows(std::filesystem::path file, bool with_alpha,
-                const std::filesystem::path& spool_folder);
+    ChannelRows(std::filesystem::path file, bool with_alpha);
 
     [[nodiscard]] const ImageInfo& info() const { return image_.info(); }
     [[nodiscard]] bool has_alpha() const { return alpha_place_ >= 0; }
@@ -37,6 +35,10 @@ public:
 
     /// Which channels to read, by index in the file.
     void choose(std::vector<int> channels);
+
+    /// From now on, what is decoded is kept in a spool in this folder, if there is room, and not
+    /// decoded again.
+    void spool_in(const std::filesystem::path& folder);
 
     void rewind(bool last_time);
 

@@ -5,9 +5,8 @@
 
 namespace scree {
 
-ColorReader::ColorReader(const BakeOptions& options, int width, int height,
-                         const std::filesystem::path& spool_folder)
-    : rows(options.color_file, options.alpha_weight, spool_folder),
+ColorReader::ColorReader(const BakeOptions& options, int width, int height)
+    : rows(options.color_file, options.alpha_weight),
       conversion(options.ocio_config, options.color_space, rows.info().color_space,
                  rows.info().path),
       resampler_(rows.info().width, rows.info().height, width, height, options.wrap_s,

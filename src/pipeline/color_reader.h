@@ -13,10 +13,8 @@ namespace scree {
 class ColorReader {
 public:
     /// width, height  of the height map
-    /// spool_folder   see ChannelRows
     /// Throws Error when the file cannot be read, has no color, or its color space is unknown.
-    ColorReader(const BakeOptions& options, int width, int height,
-                const std::filesystem::path& spool_folder);
+    ColorReader(const BakeOptions& options, int width, int height);
 
     void rewind(bool last_time);
 

@@ -11,14 +11,14 @@
 
 namespace scree {
 
-FileSource::FileSource(const BakeOptions& options, const std::filesystem::path& spool_folder)
+FileSource::FileSource(const BakeOptions& options)
 {
     if (options.normal_input)
-        normal_ = std::make_unique<NormalReader>(options, spool_folder);
+        normal_ = std::make_unique<NormalReader>(options);
     else
-        height_ = std::make_unique<HeightReader>(options, spool_folder);
+        height_ = std::make_unique<HeightReader>(options);
     if (!options.color_file.empty())
-        color_ = std::make_unique<ColorReader>(options, width(), height(), spool_folder);
+        color_ = std::make_unique<ColorReader>(options, width(), height());
 
     const ImageInfo& shape = options.normal_input ? normal_->rows.info() : height_->rows.info();
     if (color_ && !options.resample &&
@@ -36,6 +36,16 @@ FileSource::FileSource(const BakeOptions& options, const std::filesystem::path& 
 }
 
 FileSource::~FileSource() = default;
+
+void FileSource::spool_in(const std::filesystem::path& folder)
+{
+    if (height_)
+        height_->rows.spool_in(folder);
+    if (normal_)
+        normal_->rows.spool_in(folder);
+    if (color_)
+        color_->rows.spool_in(folder);
+}
 
 std::string FileSource::name() const
 {

@@ -25,9 +25,12 @@ public:
     /// Throws Error when a file cannot be used: see ImageRows; also when the sizes differ without
     /// --resample, when the height channel is not clear, when a normal map or a color map has
     /// fewer than 3 channels, when --alpha-weight finds no alpha.
-    /// spool_folder  where decoded rows are kept for the next pass; empty: nowhere
-    explicit FileSource(const BakeOptions& options, const std::filesystem::path& spool_folder = {});
+    explicit FileSource(const BakeOptions& options);
     ~FileSource() override;
+
+    /// From now on, decoded rows are kept in unnamed files in this folder for the passes that
+    /// follow, if there is room.
+    void spool_in(const std::filesystem::path& folder);
 
     [[nodiscard]] std::string name() const override;
     [[nodiscard]] int width() const override;

@@ -24,8 +24,8 @@ int choose_height_channel(const ImageInfo& info, const BakeOptions& options)
 
 } // namespace
 
-HeightReader::HeightReader(const BakeOptions& options, const std::filesystem::path& spool_folder)
-    : rows(options.height_file, options.alpha_weight, spool_folder), scale_(options.height_scale),
+HeightReader::HeightReader(const BakeOptions& options)
+    : rows(options.height_file, options.alpha_weight), scale_(options.height_scale),
       offset_(options.height_offset)
 {
     if (options.no_data_height) // as the file holds it, so that a decimal number finds its float

@@ -11,9 +11,8 @@ namespace scree {
 /// Heights of a file in world units: offset + scale * value.
 class HeightReader {
 public:
-    /// spool_folder  see ChannelRows
     /// Throws Error when the file cannot be read or its height channel is not clear.
-    HeightReader(const BakeOptions& options, const std::filesystem::path& spool_folder);
+    HeightReader(const BakeOptions& options);
 
     /// The next rows; texels without data are kNoData and counted. `y` is the first row's number.
     void read(int y, int count, std::vector<double>& height, Rejects& rejects);

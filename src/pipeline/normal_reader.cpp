@@ -8,9 +8,9 @@
 
 namespace scree {
 
-NormalReader::NormalReader(const BakeOptions& options, const std::filesystem::path& spool_folder)
-    : rows(options.height_file, options.alpha_weight, spool_folder),
-      sign_x_(options.invert_x ? 1 : -1), sign_y_(options.invert_y ? 1 : -1)
+NormalReader::NormalReader(const BakeOptions& options)
+    : rows(options.height_file, options.alpha_weight), sign_x_(options.invert_x ? 1 : -1),
+      sign_y_(options.invert_y ? 1 : -1)
 {
     if (rows.info().channels.size() < 3)
         throw Error(fmt::format("{}: {} channels, expected the 3 of a normal map; for a height "

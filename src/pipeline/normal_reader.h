@@ -10,9 +10,8 @@ namespace scree {
 /// Slopes (-nx/nz, -ny/nz) of a tangent-space normal map, x right, y down the image.
 class NormalReader {
 public:
-    /// spool_folder  see ChannelRows
     /// Throws Error when the file cannot be read or has fewer than 3 channels.
-    NormalReader(const BakeOptions& options, const std::filesystem::path& spool_folder);
+    NormalReader(const BakeOptions& options);
 
     /// The next rows; normals that are not finite or face inward (nz <= 0) are kNoData and counted.
     void read(int y, int count, std::vector<double>& slope_s, std::vector<double>& slope_t,
