@@ -13,7 +13,6 @@ namespace scree {
 /// processors have vectors of, and narrowed to `Bits` at the end.
 struct StoreFloat {
     using Bits = uint32_t;
-    static constexpr double kLargest = std::numeric_limits<float>::max();
 
     static uint32_t nearest(double value)
     {
@@ -32,7 +31,6 @@ struct StoreFloat {
 
 struct StoreHalf {
     using Bits = uint16_t;
-    static constexpr double kLargest = 65504;
 
     /// Rounded to the nearest, ties to even, as Imath and processors do it; without branches, so
     /// that loops over it are vectorised. By way of float: that moves a value within 2^-24 of the

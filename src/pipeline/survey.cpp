@@ -169,7 +169,6 @@ Survey survey(Source& source, const BakeMonitor& monitor)
                         "and --alpha-weight",
                         source.name()));
     result.rejects = source.rejects();
-    result.weight = all.height.weight;
     result.no_data_texels = all.no_data;
     result.complete = all.no_data == 0 && all.unit_weights;
     for (size_t c = 0; c < 3; ++c)

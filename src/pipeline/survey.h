@@ -16,7 +16,6 @@ struct Survey {
     std::array<float, 3> mean_color{}; ///< weighted, scene-linear
     bool complete = true;              ///< every texel has data, with weight 1
     long long no_data_texels = 0;
-    double weight = 0;                       ///< sum over the map; 0 when there is nothing to bake
     std::vector<double> first_row, last_row; ///< heights, for a map that is periodic along t
     Rejects rejects;
 };
