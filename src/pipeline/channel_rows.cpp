@@ -67,6 +67,8 @@ const float* ChannelRows::next(int count)
         spool_.reset();
     if (spool_ && next_row_ == info().height)
         spool_->finish();
+    if (spool_ && spool_->whole())
+        image_.release();
     return pixels_.data();
 }
 

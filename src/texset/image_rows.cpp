@@ -235,6 +235,12 @@ void ImageRows::next(int count, const std::vector<int>& channels, float* pixels)
     }
 }
 
+void ImageRows::release()
+{
+    input_.reset();
+    strip_ = {};
+}
+
 int channel_index(const ImageInfo& info, const std::string& name_or_number,
                   const std::string& option)
 {

@@ -42,6 +42,9 @@ public:
     /// channels are the same in every call.
     void next(int count, const std::vector<int>& channels, float* pixels);
 
+    /// Closes the file and lets go of its memory; info() stays, next() has come to its end.
+    void release();
+
 private:
     struct Input;
     void fill_strip(int first_channel, int end_channel);
