@@ -1,0 +1,26 @@
+// What OSL needs to read scree_filter.h: include this file before it.
+
+#ifndef SCREE_PRELUDE_OSL
+#define SCREE_PRELUDE_OSL
+
+#define SCREE_FUNCTION
+#define Real float
+#define LIT(x) x
+#define OUT(type, name) output type name
+
+// The three functions are explained in prelude_cpp.h.
+
+// OSL sees no bits; 4097 = 2^12 + 1, Veltkamp's splitting. Above 1e34 a number is its own high
+// part: the product would overflow.
+float scree_high_part(float x)
+{
+    float shifted = 4097.0 * x;
+    return abs(x) < 1e34 ? shifted - (shifted - x) : x;
+}
+
+// exp2 of an integer is exact, with OSL's fast mathematics too.
+float scree_exp2_minus(float k) { return k < 127.0 ? exp2(-k) : 0.0; }
+
+float scree_truncate(float x) { return trunc(x); }
+
+#endif
