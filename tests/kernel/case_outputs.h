@@ -2,23 +2,19 @@
 // subset of C++, GLSL and OSL, so that all three run the same calls: include after scree_filter.h.
 // kernel/cases.h names the numbers.
 
-SCREE_FUNCTION void case_outputs(Real wox, Real woy, Real woz, Real wix, Real wiy, Real wiz, Real s,
-                                 Real t, Real ss, Real st, Real tt, Real tau, Real base_alpha,
-                                 Real h, Real hh, Real c, Real ch, Real cs, Real ct, Real a1,
-                                 Real a2, Real a3, Real a4, Real a5, Real a6, Real a7, Real a8,
-                                 Real raw_mean_s, Real raw_mean_t, OUT(Real, css), OUT(Real, cst),
-                                 OUT(Real, ctt), OUT(Real, area), OUT(Real, vs), OUT(Real, vt),
-                                 OUT(Real, vss), OUT(Real, vst), OUT(Real, vtt), OUT(Real, lambda),
-                                 OUT(Real, g1), OUT(Real, height_mean), OUT(Real, height_variance),
-                                 OUT(Real, by_height), OUT(Real, by_rank), OUT(Real, by_slope),
-                                 OUT(Real, map_u), OUT(Real, map_v), OUT(Real, alpha_x),
-                                 OUT(Real, alpha_y), OUT(Real, angle_rad), OUT(Real, specular),
-                                 OUT(Real, diffuse), OUT(Real, projected), OUT(Real, along))
+SCREE_FUNCTION void
+case_outputs(Real wox, Real woy, Real woz, Real wix, Real wiy, Real wiz, Real s, Real t, Real ss,
+             Real st, Real tt, Real tau, Real base_alpha, Real h, Real hh, Real c, Real ch, Real cs,
+             Real ct, Real a1, Real a2, Real a3, Real a4, Real a5, Real a6, Real a7, Real a8,
+             Real raw_s, Real raw_t, Real raw_ss, Real raw_st, Real raw_tt, OUT(Real, css),
+             OUT(Real, cst), OUT(Real, ctt), OUT(Real, area), OUT(Real, vs), OUT(Real, vt),
+             OUT(Real, vss), OUT(Real, vst), OUT(Real, vtt), OUT(Real, lambda), OUT(Real, g1),
+             OUT(Real, height_mean), OUT(Real, height_variance), OUT(Real, by_height),
+             OUT(Real, by_rank), OUT(Real, by_slope), OUT(Real, map_u), OUT(Real, map_v),
+             OUT(Real, alpha_x), OUT(Real, alpha_y), OUT(Real, angle_rad), OUT(Real, specular),
+             OUT(Real, diffuse), OUT(Real, projected), OUT(Real, along))
 {
-    // The table gives central moments (so that it can be long and thin beyond what raw moments
-    // hold); the raw ones about (raw_mean_s, raw_mean_t) go through scree_covariance on the side.
-    scree_covariance(raw_mean_s, raw_mean_t, ss + raw_mean_s * raw_mean_s,
-                     st + raw_mean_s * raw_mean_t, tt + raw_mean_t * raw_mean_t, css, cst, ctt);
+    scree_covariance(raw_s, raw_t, raw_ss, raw_st, raw_tt, css, cst, ctt);
     scree_visible_slopes(wox, woy, woz, s, t, ss, st, tt, tau, area, vs, vt, vss, vst, vtt);
     projected = scree_projected_area(wox, woy, woz, s, t, ss, st, tt, tau);
     scree_masking(wox, woy, woz, s, t, ss, st, tt, tau, lambda, g1);

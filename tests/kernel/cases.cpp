@@ -60,8 +60,10 @@ public:
         for (int n = kA1; n <= kA8; ++n)
             set(n, random_.uniform(-0.3, 0.3) / (n - kA1 + 1));
         const double reach = std::sqrt(std::max(c.ss, c.tt));
-        set(kRawMeanS, random_.uniform(-1, 1) * reach);
-        set(kRawMeanT, random_.uniform(-1, 1) * reach);
+        const double raw_s = random_.uniform(-1, 1) * reach, raw_t = random_.uniform(-1, 1) * reach;
+        set(kRawS, raw_s), set(kRawT, raw_t);
+        set(kRawSs, c.ss + raw_s * raw_s), set(kRawSt, c.st + raw_s * raw_t);
+        set(kRawTt, c.tt + raw_t * raw_t);
         rows_.push_back(row);
         return rows_.back();
     }

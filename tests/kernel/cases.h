@@ -8,8 +8,10 @@ namespace scree::test {
 
 /// What a case gives the kernel: directions, moments of the slope, of the height and the color.
 ///
-/// Numbers of float32, so that every language and the oracle start from the same ones. The order is
-/// that of the parameters of case_outputs().
+/// Directions are unit vectors away from the surface; mean, covariance and tau describe the slope;
+/// kRaw* are raw moments of the same covariance (up to rounding) about another mean, for
+/// scree_covariance; the rest is height and color. Numbers of float32, so that every language and
+/// the oracle start from the same ones. The order is that of the parameters of case_outputs().
 enum Input : int {
     kWox,
     kWoy,
@@ -32,8 +34,11 @@ enum Input : int {
     kCt,
     kA1,
     kA8 = kA1 + 7,
-    kRawMeanS,
-    kRawMeanT,
+    kRawS,
+    kRawT,
+    kRawSs,
+    kRawSt,
+    kRawTt,
     kInputs
 };
 
@@ -89,7 +94,7 @@ Outputs<Real> evaluate(const KernelCase& row);
 extern template Outputs<float> evaluate<float>(const KernelCase&);
 extern template Outputs<double> evaluate<double>(const KernelCase&);
 
-/// All inputs, all outputs and their units of comparison as text, for messages.
+/// Name, directions and slope of a case as text, for messages.
 std::string describe(const KernelCase& row);
 
 } // namespace scree::test
