@@ -40,6 +40,13 @@ inline double scree_high_part(double x)
     return x;
 }
 
+/// x, in a way that keeps a shading compiler from simplifying (a + x) - a; C++ compilers do not.
+template <typename Real>
+inline Real scree_opaque(Real x)
+{
+    return x;
+}
+
 /// 2^-k of an integer k >= 0; 0 where that is no normal number any more.
 inline float scree_exp2_minus(float k)
 {

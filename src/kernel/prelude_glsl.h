@@ -9,9 +9,15 @@
 #define LIT(x) x
 #define OUT(type, name) out type name
 
-// The three functions are explained in prelude_cpp.h.
+// The four functions are explained in prelude_cpp.h.
 
 float scree_high_part(float x) { return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u); }
+
+float scree_opaque(float x)
+{
+    uint bits = floatBitsToUint(x);
+    return uintBitsToFloat(((bits >> 1u) << 1u) | (bits & 1u));
+}
 
 float scree_exp2_minus(float k) { return uintBitsToFloat(uint(127 - min(int(k), 127)) << 23u); }
 

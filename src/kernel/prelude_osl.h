@@ -8,7 +8,7 @@
 #define LIT(x) x
 #define OUT(type, name) output type name
 
-// The three functions are explained in prelude_cpp.h.
+// The four functions are explained in prelude_cpp.h.
 
 // OSL sees no bits; 4097 = 2^12 + 1, Veltkamp's splitting. Above 1e34 a number is its own high
 // part: the product would overflow.
@@ -17,6 +17,8 @@ float scree_high_part(float x)
     float shifted = 4097.0 * x;
     return abs(x) < 1e34 ? shifted - (shifted - x) : x;
 }
+
+float scree_opaque(float x) { return x; }
 
 // exp2 of an integer is exact, with OSL's fast mathematics too.
 float scree_exp2_minus(float k) { return k < 127.0 ? exp2(-k) : 0.0; }

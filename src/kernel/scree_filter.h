@@ -5,7 +5,7 @@
 //   LIT(x)                a literal of type Real
 //   OUT(Real, name)       an output parameter
 //   SCREE_FUNCTION        what stands before a function
-//   scree_high_part, scree_exp2_minus, scree_truncate   see prelude_cpp.h
+//   scree_high_part, scree_opaque, scree_exp2_minus, scree_truncate   see prelude_cpp.h
 // and everything below is arithmetic on scalars, so that three compilers read the same text. That
 // is why it is one file. docs/filtering.md derives the formulas.
 //
@@ -43,6 +43,28 @@ SCREE_FUNCTION Real scree_product_difference(Real a, Real b, Real c, Real d)
     Real ab_rest = ah * (b - bh) + (a - ah) * b;
     Real cd_rest = ch * (d - dh) + (c - ch) * d;
     return (ah * bh - ch * dh) + (ab_rest - cd_rest);
+}
+
+/// a b - product, exactly, where product is a b rounded.
+///
+/// source  Dekker 1971
+SCREE_FUNCTION Real scree_product_error(Real a, Real b, Real product)
+{
+    Real ah = scree_high_part(a);
+    Real bh = scree_high_part(b);
+    Real al = a - ah;
+    Real bl = b - bh;
+    return (((ah * bh - product) + ah * bl) + al * bh) + al * bl;
+}
+
+/// a + b - sum, exactly, where sum is a + b rounded.
+///
+/// source  Knuth, The Art of Computer Programming 2, section 4.2.2
+SCREE_FUNCTION Real scree_sum_error(Real a, Real b, Real sum)
+{
+    Real total = scree_opaque(sum);
+    Real of_b = scree_opaque(total - a);
+    return (a - (total - of_b)) + (b - of_b);
 }
 
 /// exp(-(x + rest)) for x >= 0 and a rest of at most x / 1000, to 2e-10 relative or rounding; 0
@@ -119,23 +141,19 @@ SCREE_FUNCTION void scree_covariance(Real s, Real t, Real ss, Real st, Real tt, 
 
 /// a = wz - wx ms - wy mt, to rounding of the result even where the three terms cancel.
 ///
-/// Where z is -12 the projected area is exp(-z^2 / 2), so 1e-6 in a would be 1e-4 in the area.
+/// Where z is -12 the projected area goes as exp(-z^2 / 2): an error of 1e-6 in z is 1e-5 there,
+/// and a is compared with b, which for long thin covariances is very small.
 SCREE_FUNCTION Real scree_facing(Real wx, Real wy, Real wz, Real ms, Real mt)
 {
-    Real wxh = scree_high_part(wx);
-    Real wyh = scree_high_part(wy);
-    Real msh = scree_high_part(ms);
-    Real mth = scree_high_part(mt);
-    Real p = wxh * msh;
-    Real q = wyh * mth;
-    Real rest = (wxh * (ms - msh) + (wx - wxh) * ms) + (wyh * (mt - mth) + (wy - wyh) * mt);
-    // The pair that cancels best goes first: its difference is exact.
-    Real zp = wz - p;
-    Real zq = wz - q;
-    Real pq = p + q;
-    Real sum = abs(zq) < abs(zp) ? zq - p : zp - q;
-    sum = abs(pq) < min(abs(zp), abs(zq)) ? wz - pq : sum;
-    return sum - rest;
+    Real p = wx * ms;
+    Real q = wy * mt;
+    Real p_error = scree_product_error(wx, ms, p);
+    Real q_error = scree_product_error(wy, mt, q);
+    Real above = wz - p;
+    Real above_error = scree_sum_error(wz, -p, above);
+    Real sum = above - q;
+    Real sum_error = scree_sum_error(above, -q, sum);
+    return sum + ((above_error + sum_error) - (p_error + q_error));
 }
 
 /// The covariance seen along a direction: b, u = C w / b, and the part that w does not see,
@@ -548,7 +566,9 @@ SCREE_FUNCTION void scree_slope_along(Real ds, Real dt, Real ms, Real mt, Real c
 /// is E[c] + pull (cov(c, s) wx + cov(c, t) wy).
 ///
 /// That is cov(c, slope) C^-1 (m_vis - m) with m_vis - m = C w shift / b: the inverse is gone, and
-/// grooves, whose covariance has none, need no special case.
+/// grooves, whose covariance has none, need no special case. Two bounds keep the rounding of the
+/// moments from showing as color: a spread along w below 1e-4 of the largest fades out, and where
+/// the mean plane faces away the pull is that of the horizon (z = 0).
 ///
 /// returns  pull <= 0; 0 where the slope does not spread along the direction
 /// source   design.md section 6.5
@@ -565,8 +585,9 @@ SCREE_FUNCTION Real scree_slope_pull(Real wx, Real wy, Real wz, Real ms, Real mt
     Real widening = LIT(0.0);
     scree_spread(wx, wy, css, cst, ctt, b, us, ut, unseen);
     Real z = scree_standardised(scree_facing(wx, wy, wz, ms, mt), b);
-    scree_mixture_view(z, tau, tail, shift, narrowing, widening);
-    return b > LIT(0.0) ? shift / max(b, LIT(1.0e-30)) : LIT(0.0);
+    scree_mixture_view(max(z, LIT(0.0)), tau, tail, shift, narrowing, widening);
+    Real least = LIT(1.0e-8) * (wx * wx + wy * wy) * (css + ctt);
+    return b > LIT(0.0) ? shift * b / (b * b + least) : LIT(0.0);
 }
 
 /// Color that goes linearly with slope.
@@ -673,21 +694,22 @@ SCREE_FUNCTION Real scree_specular(Real wox, Real woy, Real woz, Real wix, Real 
 /// source  Stroud 1971, E_n^{r^2} 5-1 for n = 2
 SCREE_FUNCTION Real scree_mean_cosine(Real ms, Real mt, Real css, Real cst, Real ctt)
 {
-    // Any root of C will do; Cholesky's, from the larger variance.
-    Real pivot = sqrt(max(max(css, ctt), LIT(1.0e-30)));
+    // The symmetric root of C, (C + sqrt(det) I) / sqrt(trace + 2 sqrt(det)): any root would do,
+    // but this one changes continuously with C.
     Real det = max(scree_product_difference(css, ctt, cst, cst), LIT(0.0));
-    Real shear = cst / pivot;
-    Real rest = sqrt(det) / pivot;
-    Real first = css >= ctt ? ms : mt;
-    Real second = css >= ctt ? mt : ms;
-    Real sum = LIT(6.0) / sqrt(LIT(1.0) + first * first + second * second);
+    Real root_det = sqrt(det);
+    Real scale = LIT(1.0) / sqrt(max(css + ctt + LIT(2.0) * root_det, LIT(1.0e-30)));
+    Real rss = (css + root_det) * scale;
+    Real rst = cst * scale;
+    Real rtt = (ctt + root_det) * scale;
+    Real sum = LIT(6.0) / sqrt(LIT(1.0) + ms * ms + mt * mt);
     for (int i = 0; i < 3; ++i) { // directions 0, 60 and 120 degrees, and their opposites
         Real x = i == 0 ? LIT(2.0) : (i == 1 ? LIT(1.0) : LIT(-1.0));
         Real y = i == 0 ? LIT(0.0) : LIT(1.73205080756887729);
-        Real dx = pivot * x;
-        Real dy = shear * x + rest * y;
-        Real ahead = (first + dx) * (first + dx) + (second + dy) * (second + dy);
-        Real behind = (first - dx) * (first - dx) + (second - dy) * (second - dy);
+        Real ds = rss * x + rst * y;
+        Real dt = rst * x + rtt * y;
+        Real ahead = (ms + ds) * (ms + ds) + (mt + dt) * (mt + dt);
+        Real behind = (ms - ds) * (ms - ds) + (mt - dt) * (mt - dt);
         sum = sum + LIT(1.0) / sqrt(LIT(1.0) + ahead) + LIT(1.0) / sqrt(LIT(1.0) + behind);
     }
     return sum / LIT(12.0);
