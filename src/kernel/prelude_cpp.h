@@ -10,7 +10,7 @@
 
 #define SCREE_FUNCTION                                                                             \
     template <typename Real>                                                                       \
-    inline
+    [[gnu::always_inline]] inline
 #define LIT(x) static_cast<Real>(x)
 #define OUT(type, name) type& name
 
@@ -21,53 +21,69 @@ using std::max;
 using std::min;
 using std::sqrt;
 
-/// x with the lower half of its digits cleared; x - high_part(x) is exact, and so is the product
-/// of two high parts. By the bits, because a compiler may simplify any arithmetic that does it.
-inline float scree_high_part(float x)
+/// x rounded to the upper half of its digits; x - high_part(x) is exact, and so is the product of
+/// two high parts. By the bits, because a compiler may simplify any arithmetic that does it.
+[[gnu::always_inline]] inline float scree_high_part(float x)
 {
     uint32_t bits = 0;
     std::memcpy(&bits, &x, sizeof bits);
-    bits &= 0xfffff000U;
+    bits = (bits + 0x800U) & 0xfffff000U;
     std::memcpy(&x, &bits, sizeof bits);
     return x;
 }
-inline double scree_high_part(double x)
+[[gnu::always_inline]] inline double scree_high_part(double x)
 {
     uint64_t bits = 0;
     std::memcpy(&bits, &x, sizeof bits);
-    bits &= 0xfffffffff8000000U;
+    bits = (bits + 0x4000000U) & 0xfffffffff8000000U;
     std::memcpy(&x, &bits, sizeof bits);
     return x;
 }
 
 /// x, in a way that keeps a shading compiler from simplifying (a + x) - a; C++ compilers do not.
 template <typename Real>
-inline Real scree_opaque(Real x)
+[[gnu::always_inline]] inline Real scree_opaque(Real x)
 {
     return x;
 }
 
-/// 2^-k of an integer k >= 0; 0 where that is no normal number any more.
-inline float scree_exp2_minus(float k)
+/// a b - c d and x - a b - c d rounded once, as the functions of that name in scree_filter.h:
+/// double holds the products of floats exactly.
+[[gnu::always_inline]] inline float scree_product_difference(float a, float b, float c, float d)
 {
-    const auto bits = static_cast<uint32_t>(127 - min(static_cast<int32_t>(k), 127)) << 23U;
+    return static_cast<float>(static_cast<double>(a) * static_cast<double>(b) -
+                              static_cast<double>(c) * static_cast<double>(d));
+}
+[[gnu::always_inline]] inline float scree_minus_products(float x, float a, float b, float c,
+                                                         float d)
+{
+    return static_cast<float>(static_cast<double>(x) -
+                              static_cast<double>(a) * static_cast<double>(b) -
+                              static_cast<double>(c) * static_cast<double>(d));
+}
+
+/// 2^-n of the integer n nearest to 0 <= x < 2^31; 0 where n > 118 (double: 1000): what follows
+/// from so small a number would be subnormal, and processors take a hundred cycles over those.
+/// Through int: rounding to it is one vector instruction everywhere, and so is making the power.
+[[gnu::always_inline]] inline float scree_exp2_minus_nearest(float x, float& n)
+{
+    const auto k = static_cast<int32_t>(x + 0.5F);
+    n = static_cast<float>(k);
+    const uint32_t keep = 0U - static_cast<uint32_t>(k <= 118); // all bits or none
+    const auto bits = (static_cast<uint32_t>(127 - k) << 23U) & keep;
     float power = 0;
     std::memcpy(&power, &bits, sizeof bits);
     return power;
 }
-inline double scree_exp2_minus(double k)
+[[gnu::always_inline]] inline double scree_exp2_minus_nearest(double x, double& n)
 {
-    const auto bits = static_cast<uint64_t>(1023 - min(static_cast<int32_t>(k), 1023)) << 52U;
+    const auto k = static_cast<int32_t>(x + 0.5);
+    n = static_cast<double>(k);
+    const uint64_t keep = 0U - static_cast<uint64_t>(k <= 1000);
+    const auto bits = (static_cast<uint64_t>(1023 - k) << 52U) & keep;
     double power = 0;
     std::memcpy(&power, &bits, sizeof bits);
     return power;
-}
-
-/// The integer part of 0 <= x < 2^31. Through int: that is one vector instruction everywhere.
-template <typename Real>
-inline Real scree_truncate(Real x)
-{
-    return static_cast<Real>(static_cast<int32_t>(x));
 }
 
 } // namespace scree::kernel

@@ -1,26 +1,34 @@
-// What GLSL (330 core, ES 300) needs to read scree_filter.h: put this file before it. ES shaders
-// say `precision highp float;` first.
+// What GLSL (330 core, ES 300) needs to read scree_filter.h: put this file before it.
 
 #ifndef SCREE_PRELUDE_GLSL
 #define SCREE_PRELUDE_GLSL
+
+#ifdef GL_ES // fragment shaders have no float by default, and integers of 16 bits
+precision highp float;
+precision highp int;
+#endif
 
 #define SCREE_FUNCTION
 #define Real float
 #define LIT(x) x
 #define OUT(type, name) out type name
 
-// The four functions are explained in prelude_cpp.h.
+// The three functions are explained in prelude_cpp.h.
 
-float scree_high_part(float x) { return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u); }
-
-float scree_opaque(float x)
+float scree_high_part(float x)
 {
-    uint bits = floatBitsToUint(x);
-    return uintBitsToFloat(((bits >> 1u) << 1u) | (bits & 1u));
+    return uintBitsToFloat((floatBitsToUint(x) + 0x800u) & 0xfffff000u);
 }
 
-float scree_exp2_minus(float k) { return uintBitsToFloat(uint(127 - min(int(k), 127)) << 23u); }
+// A test no compiler can decide: shifting the bits to and fro, Mesa 22.3 sees through. No number of
+// the kernel has these bits; they are those of a NaN.
+float scree_opaque(float x) { return floatBitsToUint(x) == 0x7fc5c4eeu ? 0.0 : x; }
 
-float scree_truncate(float x) { return trunc(x); }
+float scree_exp2_minus_nearest(float x, out float n)
+{
+    int k = int(x + 0.5);
+    n = float(k);
+    return k <= 118 ? uintBitsToFloat(uint(127 - k) << 23u) : 0.0;
+}
 
 #endif

@@ -8,7 +8,7 @@
 #define LIT(x) x
 #define OUT(type, name) output type name
 
-// The four functions are explained in prelude_cpp.h.
+// The three functions are explained in prelude_cpp.h.
 
 // OSL sees no bits; 4097 = 2^12 + 1, Veltkamp's splitting. Above 1e34 a number is its own high
 // part: the product would overflow.
@@ -21,8 +21,10 @@ float scree_high_part(float x)
 float scree_opaque(float x) { return x; }
 
 // exp2 of an integer is exact, with OSL's fast mathematics too.
-float scree_exp2_minus(float k) { return k < 127.0 ? exp2(-k) : 0.0; }
-
-float scree_truncate(float x) { return trunc(x); }
+float scree_exp2_minus_nearest(float x, output float n)
+{
+    n = trunc(x + 0.5);
+    return n <= 118.0 ? exp2(-n) : 0.0;
+}
 
 #endif

@@ -5,7 +5,7 @@
 //   LIT(x)                a literal of type Real
 //   OUT(Real, name)       an output parameter
 //   SCREE_FUNCTION        what stands before a function
-//   scree_high_part, scree_opaque, scree_exp2_minus, scree_truncate   see prelude_cpp.h
+//   scree_high_part, scree_opaque, scree_exp2_minus_nearest   see prelude_cpp.h
 // and everything below is arithmetic on scalars, so that three compilers read the same text. That
 // is why it is one file. docs/filtering.md derives the formulas.
 //
@@ -19,31 +19,12 @@
 //
 // Ranges, in single precision: variances 1e-18 to 1e12, less counts as none. Every result is
 // finite for finite inputs. Contracted multiply-adds do no harm; a compiler that may reorder sums
-// (-ffast-math) loses the compensation described at scree_product_difference and nothing else.
+// (-ffast-math) loses the exactness of scree_product_difference and nothing else.
 
 #ifndef SCREE_FILTER_H
 #define SCREE_FILTER_H
 
 // --- arithmetic ---------------------------------------------------------------------------------
-
-/// a b - c d to about 2^-34 of the larger product in single precision, where the plain expression
-/// has 2^-24.
-///
-/// Covariances, determinants and projections of long thin covariances are such differences, and
-/// all their digits can cancel. The products of the high parts are exact, and so is the difference
-/// of two that nearly cancel; the rest is 2^-12 smaller.
-///
-/// source  Dekker 1971, without his renormalisation
-SCREE_FUNCTION Real scree_product_difference(Real a, Real b, Real c, Real d)
-{
-    Real ah = scree_high_part(a);
-    Real bh = scree_high_part(b);
-    Real ch = scree_high_part(c);
-    Real dh = scree_high_part(d);
-    Real ab_rest = ah * (b - bh) + (a - ah) * b;
-    Real cd_rest = ch * (d - dh) + (c - ch) * d;
-    return (ah * bh - ch * dh) + (ab_rest - cd_rest);
-}
 
 /// a b - product, exactly, where product is a b rounded.
 ///
@@ -67,26 +48,68 @@ SCREE_FUNCTION Real scree_sum_error(Real a, Real b, Real sum)
     return (a - (total - of_b)) + (b - of_b);
 }
 
-/// exp(-(x + rest)) for x >= 0 and a rest of at most x / 1000, to 2e-10 relative or rounding; 0
-/// where that is no normal number any more. The rest is what rounding took from x.
+/// a b - c d, rounded once: covariances, determinants and projections of long thin covariances are
+/// such differences, and in the plain expression all their digits can cancel.
+///
+/// In C++ single precision the prelude has the same by way of double.
+SCREE_FUNCTION Real scree_product_difference(Real a, Real b, Real c, Real d)
+{
+    Real p = a * b;
+    Real q = c * d;
+    Real difference = p - q;
+    Real error = scree_sum_error(p, -q, difference);
+    return difference + (error + (scree_product_error(a, b, p) - scree_product_error(c, d, q)));
+}
+
+/// x - a b - c d, rounded once; likewise.
+SCREE_FUNCTION Real scree_minus_products(Real x, Real a, Real b, Real c, Real d)
+{
+    Real p = a * b;
+    Real q = c * d;
+    Real first = x - p;
+    Real second = first - q;
+    Real error = scree_sum_error(x, -p, first) + scree_sum_error(first, -q, second);
+    return second + (error - (scree_product_error(a, b, p) + scree_product_error(c, d, q)));
+}
+
+/// exp(r) for |r| <= 0.37, to 1e-8 relative or rounding: a minimax polynomial.
+SCREE_FUNCTION Real scree_exp_small(Real r)
+{
+    Real rr = r * r;
+    Real p = (LIT(0.4999999954996815) + LIT(0.16666576962372753) * r) +
+             (LIT(0.04166685423024811) + LIT(0.008363200039986536) * r) * rr +
+             LIT(0.0013901298496059652) * (rr * rr);
+    return (LIT(1.0) + r) + rr * p;
+}
+
+/// exp(-x) for x in [0, 1e4], to 1e-8 relative or rounding of x; 0 below 2^-118 in single
+/// precision, 2^-1000 in double.
 ///
 /// Not the language's own exp: compilers do not vectorise it, and shading languages promise little
-/// of it. 2^-n exp(r) with |r| <= ln(2) / 2; n ln(2) is taken off in two parts (Cody and Waite
-/// 1980) and exp(r) is a minimax polynomial. [tests/kernel/arithmetic_test.cpp]
-SCREE_FUNCTION Real scree_exp_minus(Real x, Real rest)
+/// of it. exp(-x) = 2^-n exp(n ln(2) - x), and n ln(2) is taken in two parts, the first with so few
+/// digits that its product with n is exact (Cody and Waite 1980).
+/// [tests/kernel/arithmetic_test.cpp]
+SCREE_FUNCTION Real scree_exp_minus(Real x)
 {
-    Real clamped = min(x, LIT(10000.0));
-    Real n = scree_truncate(clamped * LIT(1.44269504088896) + LIT(0.5));
-    // 0.693359375 has so few digits that its product with n is exact.
-    Real r = (n * LIT(0.693359375) - clamped) - n * LIT(0.000212194440054690583);
-    r = r - (x < LIT(10000.0) ? rest : LIT(0.0));
-    Real p = LIT(0.00019857823581786654);
-    p = p * r + LIT(0.0013933687079765102);
-    p = p * r + LIT(0.008333360837727316);
-    p = p * r + LIT(0.04166646472229381);
-    p = p * r + LIT(0.16666666531518978);
-    p = p * r + LIT(0.5000000013459891);
-    return scree_exp2_minus(n) * (LIT(1.0) + (r + r * r * p));
+    Real n = LIT(0.0);
+    Real power = scree_exp2_minus_nearest(x * LIT(1.44269504088896341), n);
+    Real r = (n * LIT(0.693359375) - x) - n * LIT(0.000212194440054690583);
+    return power * scree_exp_small(r);
+}
+
+/// Density of a standard normal number at y >= 0, to 1e-7 relative; 0 where scree_exp_minus is.
+///
+/// y^2 / 2 is taken in two parts, the first exact: its rounding alone would be 5e-6 of the density
+/// at y = 12.
+SCREE_FUNCTION Real scree_normal_pdf(Real y)
+{
+    Real c = min(y, LIT(120.0));
+    Real h = scree_high_part(c);
+    Real n = LIT(0.0);
+    Real power = scree_exp2_minus_nearest(c * c * LIT(0.721347520444481704), n);
+    Real r = (n * LIT(0.693359375) - LIT(0.5) * h * h) -
+             (n * LIT(0.000212194440054690583) + (c - h) * (LIT(0.5) * (c + h)));
+    return (LIT(0.398942280401432678) * power) * scree_exp_small(r);
 }
 
 /// Angle of (x, y) in (-pi, pi] to 2e-8 or rounding; 0 for (0, 0).
@@ -139,21 +162,14 @@ SCREE_FUNCTION void scree_covariance(Real s, Real t, Real ss, Real st, Real tt, 
 
 // --- what a direction sees ----------------------------------------------------------------------
 
-/// a = wz - wx ms - wy mt, to rounding of the result even where the three terms cancel.
+/// a = wz - wx ms - wy mt: projected area of the mean plane, rounded once even where the three
+/// terms cancel.
 ///
 /// Where z is -12 the projected area goes as exp(-z^2 / 2): an error of 1e-6 in z is 1e-5 there,
 /// and a is compared with b, which for long thin covariances is very small.
 SCREE_FUNCTION Real scree_facing(Real wx, Real wy, Real wz, Real ms, Real mt)
 {
-    Real p = wx * ms;
-    Real q = wy * mt;
-    Real p_error = scree_product_error(wx, ms, p);
-    Real q_error = scree_product_error(wy, mt, q);
-    Real above = wz - p;
-    Real above_error = scree_sum_error(wz, -p, above);
-    Real sum = above - q;
-    Real sum_error = scree_sum_error(above, -q, sum);
-    return sum + ((above_error + sum_error) - (p_error + q_error));
+    return scree_minus_products(wz, wx, ms, wy, mt);
 }
 
 /// The covariance seen along a direction: b, u = C w / b, and the part that w does not see,
@@ -164,36 +180,34 @@ SCREE_FUNCTION Real scree_facing(Real wx, Real wy, Real wz, Real ms, Real mt)
 ///
 /// wx, wy       the direction's horizontal part
 /// b            sqrt(w' C w) >= 0; 0 where C does not spread along w (flat, or w upright)
+/// per_b        1 / b; 1e18 where b is 0
 /// us, ut       u, a slope; 0 where b is 0
 /// unseen       det C / b^2 >= 0; 0 where b is 0
 /// error        relative, a few roundings for any anisotropy and correlation
 /// source       derived in docs/filtering.md
 SCREE_FUNCTION void scree_spread(Real wx, Real wy, Real css, Real cst, Real ctt, OUT(Real, b),
-                                 OUT(Real, us), OUT(Real, ut), OUT(Real, unseen))
+                                 OUT(Real, per_b), OUT(Real, us), OUT(Real, ut), OUT(Real, unseen))
 {
     Real ks = scree_product_difference(css, wx, -cst, wy);
     Real kt = scree_product_difference(ctt, wy, -cst, wx);
     Real det = max(scree_product_difference(css, ctt, cst, cst), LIT(0.0));
-    // css w'Cw = ks^2 + det wy^2, and likewise with ctt: sums of squares, where the sum
+    // trace(C) w'Cw = |Cw|^2 + det |w|^2 (Cayley-Hamilton): a sum of squares, where the sum
     // css wx^2 + 2 cst wx wy + ctt wy^2 may cancel.
-    Real pivot = max(css, ctt);
-    Real along = css >= ctt ? ks : kt;
-    Real across = css >= ctt ? wy : wx;
-    Real pivot_bb = along * along + det * across * across;
-    Real sees = pivot > LIT(1.0e-18) && pivot_bb > LIT(1.0e-37) ? LIT(1.0) : LIT(0.0);
-    Real safe = sees > LIT(0.5) ? pivot_bb : LIT(1.0);
-    b = sees * sqrt(safe / max(pivot, LIT(1.0e-18)));
-    Real per_b = sees > LIT(0.5) ? LIT(1.0) / max(b, LIT(1.0e-30)) : LIT(0.0);
-    us = ks * per_b;
-    ut = kt * per_b;
-    unseen = sees * det * (pivot / safe);
-}
-
-/// z = a / b in [-1e18, 1e18]; those bounds where b is 0.
-SCREE_FUNCTION Real scree_standardised(Real a, Real b)
-{
-    Real z = a / max(b, LIT(1.0e-30));
-    return min(max(z, LIT(-1.0e18)), LIT(1.0e18));
+    Real trace = css + ctt;
+    Real trace_bb = (ks * ks + kt * kt) + det * (wx * wx + wy * wy);
+    b = LIT(0.0);
+    per_b = LIT(1.0e18);
+    us = LIT(0.0);
+    ut = LIT(0.0);
+    unseen = LIT(0.0);
+    if (trace > LIT(1.0e-18) && trace_bb > LIT(1.0e-37)) {
+        Real per_bb = trace / trace_bb;
+        per_b = sqrt(per_bb);
+        b = LIT(1.0) / per_b;
+        us = ks * per_b;
+        ut = kt * per_b;
+        unseen = det * per_bb;
+    }
 }
 
 // What a direction sees of slopes that are standard normal (or K0) along it, weighted with the
@@ -215,7 +229,7 @@ SCREE_FUNCTION Real scree_standardised(Real a, Real b)
 /// fraction and K3(y) = 1 / (y + 4 / (y + 5 / ...)) its rest, here a rational minimax function. So
 /// nothing cancels on the far side, where the textbook form loses every digit.
 ///
-/// z      any in [-1e18, 1e18]
+/// z      any
 /// error  relative, 3e-8 or rounding for shift and tail, five times that for narrowing, z >= -1e4
 /// limits z -> +inf: 0, -1 / z, 1;  z -> -inf: 0, z, 2 / z^2 (kept above 2e-8)
 /// source design.md section 4; the form derived in docs/filtering.md
@@ -224,37 +238,35 @@ SCREE_FUNCTION void scree_gaussian_view(Real z, OUT(Real, tail), OUT(Real, shift
 {
     Real y = abs(z);
     Real yc = min(y, LIT(10000.0));
-    Real p = yc + LIT(14.938073704786133);
-    p = p * yc + LIT(115.13415732232644);
-    p = p * yc + LIT(543.3554044234369);
-    p = p * yc + LIT(1573.1392419003637);
-    p = p * yc + LIT(2370.404870634954);
-    Real q = yc + LIT(14.938070693429644);
-    q = q * yc + LIT(119.13473122800038);
-    q = q * yc + LIT(603.0709719142551);
-    q = q * yc + LIT(2014.8300333143318);
-    q = q * yc + LIT(4223.943158734694);
-    q = q * yc + LIT(4456.29292412552);
-    // K3 = p / q; K2, K1 and the Mills ratio follow over common denominators.
+    Real yy = yc * yc;
+    Real yyyy = yy * yy;
+    // Summed by pairs (Estrin), not by Horner's chain: half the time of this function is waiting.
+    Real p = ((LIT(2370.404870634954) + LIT(1573.1392419003637) * yc) +
+              (LIT(543.3554044234369) + LIT(115.13415732232644) * yc) * yy) +
+             (LIT(14.938073704786133) + yc) * yyyy;
+    Real q = ((LIT(4456.29292412552) + LIT(4223.943158734694) * yc) +
+              (LIT(2014.8300333143318) + LIT(603.0709719142551) * yc) * yy) +
+             ((LIT(119.13473122800038) + LIT(14.938070693429644) * yc) + yy) * yyyy;
+    // K3 = p / q; K2 = q / q2, K1 = q2 / q1 and the Mills ratio q1 / q0 follow.
     Real q2 = yc * q + LIT(3.0) * p;
-    Real q1 = yc * q2 + LIT(2.0) * q;
-    Real q0 = yc * q1 + q2;
-    Real k2 = q / q2;
-    Real mills = q1 / q0;
+    Real q1 = (yy + LIT(2.0)) * q + LIT(3.0) * yc * p;
+    Real q0 = yc * (yy + LIT(3.0)) * q + LIT(3.0) * (yy + LIT(1.0)) * p;
 
-    // z^2 / 2 in two parts, the first exact: its rounding alone would be 5e-6 of phi at z = 12.
-    Real zh = scree_high_part(y);
-    Real phi = LIT(0.398942280401432678) *
-               scree_exp_minus(LIT(0.5) * (zh * zh), LIT(0.5) * ((y - zh) * (y + zh)));
-    tail = phi * (q2 / q0);
-
-    Real area = y + tail;
-    Real lean = (LIT(1.0) - phi * mills) / max(area, LIT(1.0e-30));
-    Real facing_narrowing =
-        LIT(1.0) + (phi - (LIT(1.0) - phi * mills) * lean) / max(area, LIT(1.0e-30));
-    Real averted_narrowing = LIT(2.0) * k2 * (LIT(3.0) * (p / q) - LIT(2.0) * k2);
-    shift = z >= LIT(0.0) ? -lean : -(y + LIT(2.0) * k2);
-    narrowing = z >= LIT(0.0) ? facing_narrowing : averted_narrowing;
+    Real phi = scree_normal_pdf(y);
+    Real per_q0 = LIT(1.0) / q0;
+    tail = phi * (q2 * per_q0);
+    if (z >= LIT(0.0)) {
+        Real per_area = LIT(1.0) / (y + tail);
+        Real facing = LIT(1.0) - phi * (q1 * per_q0); // Phi(z)
+        Real lean = facing * per_area;
+        shift = -lean;
+        narrowing = LIT(1.0) + (phi - facing * lean) * per_area;
+    } else {
+        Real per_q2 = LIT(1.0) / q2;
+        Real k2 = q * per_q2;
+        shift = -(y + LIT(2.0) * k2);
+        narrowing = LIT(6.0) * (p * per_q2) - LIT(4.0) * (k2 * k2); // p / q2 is K2 K3
+    }
 }
 
 /// The four numbers for K0 slopes, which are Laplace distributed along every direction.
@@ -272,10 +284,10 @@ SCREE_FUNCTION void scree_k0_view(Real z, OUT(Real, tail), OUT(Real, shift), OUT
 {
     Real root_half = LIT(0.707106781186547524);
     Real y = abs(z);
-    Real e = scree_exp_minus(y * LIT(1.41421356237309505), LIT(0.0));
+    Real yc = min(y, LIT(5000.0)); // e is 0 there already, and squares must not overflow
+    Real e = scree_exp_minus(yc * LIT(1.41421356237309505));
     tail = LIT(0.5) * root_half * e;
 
-    Real yc = min(y, LIT(10000.0)); // where e is 0 the square must not overflow
     Real area = max(y + tail, LIT(1.0e-30));
     Real lean = (LIT(1.0) - LIT(0.5) * e * (yc * root_half + LIT(1.0))) / area;
     Real square =
@@ -317,6 +329,19 @@ SCREE_FUNCTION void scree_mixture_view(Real z, Real tau, OUT(Real, tail), OUT(Re
     }
 }
 
+/// All of the above for one direction: a, z, what scree_spread gives of C, and the four numbers.
+SCREE_FUNCTION void scree_view(Real wx, Real wy, Real wz, Real ms, Real mt, Real css, Real cst,
+                               Real ctt, Real tau, OUT(Real, a), OUT(Real, z), OUT(Real, b),
+                               OUT(Real, us), OUT(Real, ut), OUT(Real, unseen), OUT(Real, tail),
+                               OUT(Real, shift), OUT(Real, narrowing), OUT(Real, widening))
+{
+    Real per_b = LIT(0.0);
+    a = scree_facing(wx, wy, wz, ms, mt);
+    scree_spread(wx, wy, css, cst, ctt, b, per_b, us, ut, unseen);
+    z = a * per_b;
+    scree_mixture_view(z, tau, tail, shift, narrowing, widening);
+}
+
 /// N: projected area of the facets that face the direction, per area of the texture plane.
 ///
 ///   N = E[max(0, wz - w . slope)] = b (z + tail(z))
@@ -326,6 +351,8 @@ SCREE_FUNCTION void scree_mixture_view(Real z, Real tau, OUT(Real, tail), OUT(Re
 SCREE_FUNCTION Real scree_projected_area(Real wx, Real wy, Real wz, Real ms, Real mt, Real css,
                                          Real cst, Real ctt, Real tau)
 {
+    Real a = LIT(0.0);
+    Real z = LIT(0.0);
     Real b = LIT(0.0);
     Real us = LIT(0.0);
     Real ut = LIT(0.0);
@@ -334,9 +361,8 @@ SCREE_FUNCTION Real scree_projected_area(Real wx, Real wy, Real wz, Real ms, Rea
     Real shift = LIT(0.0);
     Real narrowing = LIT(0.0);
     Real widening = LIT(0.0);
-    Real a = scree_facing(wx, wy, wz, ms, mt);
-    scree_spread(wx, wy, css, cst, ctt, b, us, ut, unseen);
-    scree_mixture_view(scree_standardised(a, b), tau, tail, shift, narrowing, widening);
+    scree_view(wx, wy, wz, ms, mt, css, cst, ctt, tau, a, z, b, us, ut, unseen, tail, shift,
+               narrowing, widening);
     return max(a, LIT(0.0)) + b * tail;
 }
 
@@ -353,6 +379,8 @@ SCREE_FUNCTION Real scree_projected_area(Real wx, Real wy, Real wz, Real ms, Rea
 SCREE_FUNCTION void scree_masking(Real wx, Real wy, Real wz, Real ms, Real mt, Real css, Real cst,
                                   Real ctt, Real tau, OUT(Real, lambda), OUT(Real, g1))
 {
+    Real a = LIT(0.0);
+    Real z = LIT(0.0);
     Real b = LIT(0.0);
     Real us = LIT(0.0);
     Real ut = LIT(0.0);
@@ -361,9 +389,8 @@ SCREE_FUNCTION void scree_masking(Real wx, Real wy, Real wz, Real ms, Real mt, R
     Real shift = LIT(0.0);
     Real narrowing = LIT(0.0);
     Real widening = LIT(0.0);
-    scree_spread(wx, wy, css, cst, ctt, b, us, ut, unseen);
-    Real z = scree_standardised(scree_facing(wx, wy, wz, ms, mt), b);
-    scree_mixture_view(z, tau, tail, shift, narrowing, widening);
+    scree_view(wx, wy, wz, ms, mt, css, cst, ctt, tau, a, z, b, us, ut, unseen, tail, shift,
+               narrowing, widening);
     Real safe = max(z, LIT(1.0e-30));
     lambda = z > LIT(0.0) ? min(tail / safe, LIT(1.0e6)) : LIT(1.0e6);
     g1 = z > LIT(0.0) ? safe / (safe + tail) : LIT(0.0);
@@ -403,6 +430,8 @@ SCREE_FUNCTION void scree_visible_slopes(Real wx, Real wy, Real wz, Real ms, Rea
                                          OUT(Real, vs), OUT(Real, vt), OUT(Real, vss),
                                          OUT(Real, vst), OUT(Real, vtt))
 {
+    Real a = LIT(0.0);
+    Real z = LIT(0.0);
     Real b = LIT(0.0);
     Real us = LIT(0.0);
     Real ut = LIT(0.0);
@@ -411,20 +440,20 @@ SCREE_FUNCTION void scree_visible_slopes(Real wx, Real wy, Real wz, Real ms, Rea
     Real shift = LIT(0.0);
     Real narrowing = LIT(0.0);
     Real widening = LIT(0.0);
-    Real a = scree_facing(wx, wy, wz, ms, mt);
-    scree_spread(wx, wy, css, cst, ctt, b, us, ut, unseen);
-    scree_mixture_view(scree_standardised(a, b), tau, tail, shift, narrowing, widening);
+    scree_view(wx, wy, wz, ms, mt, css, cst, ctt, tau, a, z, b, us, ut, unseen, tail, shift,
+               narrowing, widening);
     area = max(a, LIT(0.0)) + b * tail;
     vs = ms + us * shift;
     vt = mt + ut * shift;
-
-    Real across = widening * unseen;
-    vss = across * (wy * wy) + narrowing * (us * us);
-    vtt = across * (wx * wx) + narrowing * (ut * ut);
-    vst = narrowing * (us * ut) - across * (wx * wy);
-    vss = b > LIT(0.0) ? vss : css;
-    vtt = b > LIT(0.0) ? vtt : ctt;
-    vst = b > LIT(0.0) ? vst : cst;
+    vss = css;
+    vtt = ctt;
+    vst = cst;
+    if (b > LIT(0.0)) {
+        Real across = widening * unseen;
+        vss = across * (wy * wy) + narrowing * (us * us);
+        vtt = across * (wx * wx) + narrowing * (ut * ut);
+        vst = narrowing * (us * ut) - across * (wx * wy);
+    }
     // Where the two rank-one parts are very unequal, rounding may leave a determinant of -1e-7.
     Real raise = vst * vst > vss * vtt * LIT(0.9999990) ? LIT(1.0000010) : LIT(1.0);
     vss = vss * raise;
@@ -555,11 +584,12 @@ SCREE_FUNCTION void scree_color_map_coordinates(Real mean, Real deviation, Real 
 SCREE_FUNCTION void scree_slope_along(Real ds, Real dt, Real ms, Real mt, Real css, Real cst,
                                       Real ctt, OUT(Real, mean), OUT(Real, deviation))
 {
+    Real per_deviation = LIT(0.0);
     Real us = LIT(0.0);
     Real ut = LIT(0.0);
     Real unseen = LIT(0.0);
     mean = ds * ms + dt * mt;
-    scree_spread(ds, dt, css, cst, ctt, deviation, us, ut, unseen);
+    scree_spread(ds, dt, css, cst, ctt, deviation, per_deviation, us, ut, unseen);
 }
 
 /// How strongly a direction pulls color that goes with slope: shift / b, so that the visible color
@@ -576,6 +606,7 @@ SCREE_FUNCTION Real scree_slope_pull(Real wx, Real wy, Real wz, Real ms, Real mt
                                      Real cst, Real ctt, Real tau)
 {
     Real b = LIT(0.0);
+    Real per_b = LIT(0.0);
     Real us = LIT(0.0);
     Real ut = LIT(0.0);
     Real unseen = LIT(0.0);
@@ -583,9 +614,9 @@ SCREE_FUNCTION Real scree_slope_pull(Real wx, Real wy, Real wz, Real ms, Real mt
     Real shift = LIT(0.0);
     Real narrowing = LIT(0.0);
     Real widening = LIT(0.0);
-    scree_spread(wx, wy, css, cst, ctt, b, us, ut, unseen);
-    Real z = scree_standardised(scree_facing(wx, wy, wz, ms, mt), b);
-    scree_mixture_view(max(z, LIT(0.0)), tau, tail, shift, narrowing, widening);
+    scree_spread(wx, wy, css, cst, ctt, b, per_b, us, ut, unseen);
+    Real facing = max(scree_facing(wx, wy, wz, ms, mt), LIT(0.0));
+    scree_mixture_view(facing * per_b, tau, tail, shift, narrowing, widening);
     Real least = LIT(1.0e-8) * (wx * wx + wy * wy) * (css + ctt);
     return b > LIT(0.0) ? shift * b / (b * b + least) : LIT(0.0);
 }
@@ -640,12 +671,11 @@ SCREE_FUNCTION Real scree_slope_pdf(Real s, Real t, Real ms, Real mt, Real css, 
     Real pivot = max(max(css, ctt), LIT(1.0e-15));
     Real first = css >= ctt ? s - ms : t - mt;
     Real second = css >= ctt ? t - mt : s - ms;
-    // Distances beyond 1e9 deviations are clamped, so that their squares stay finite.
-    Real x = min(abs(first) / sqrt(pivot), LIT(1.0e9));
+    // Nothing is left of the density a hundred deviations away.
+    Real x = min(abs(first) / sqrt(pivot), LIT(100.0));
     Real cross = scree_product_difference(second, pivot, cst, first);
-    Real y = min(abs(cross) / (sqrt(pivot) * sqrt(det)), LIT(1.0e9));
-    return LIT(0.159154943091895336) * scree_exp_minus(LIT(0.5) * (x * x + y * y), LIT(0.0)) /
-           sqrt(det);
+    Real y = min(abs(cross) / (sqrt(pivot) * sqrt(det)), LIT(100.0));
+    return LIT(0.159154943091895336) * scree_exp_minus(LIT(0.5) * (x * x + y * y)) / sqrt(det);
 }
 
 /// Specular reflection of a footprint under a directional light: what multiplies Fresnel times the
