@@ -14,22 +14,26 @@ namespace {
 
 using Exact = boost::multiprecision::cpp_bin_float_100;
 
-template <typename Real> Real uniform(std::mt19937& random, double low, double high)
+template <typename Real>
+Real uniform(std::mt19937& random, double low, double high)
 {
     return static_cast<Real>(low + (high - low) * static_cast<double>(random()) / 4294967296.0);
 }
 
 /// The shared text of scree_filter.h, which C++ single precision replaces by double arithmetic.
-template <typename Real> Real product_difference(Real a, Real b, Real c, Real d)
+template <typename Real>
+Real product_difference(Real a, Real b, Real c, Real d)
 {
     return kernel::scree_product_difference<Real>(a, b, c, d);
 }
-template <typename Real> Real minus_products(Real x, Real a, Real b, Real c, Real d)
+template <typename Real>
+Real minus_products(Real x, Real a, Real b, Real c, Real d)
 {
     return kernel::scree_minus_products<Real>(x, a, b, c, d);
 }
 
-template <typename Real> class Arithmetic : public ::testing::Test {};
+template <typename Real>
+class Arithmetic : public ::testing::Test {};
 using Reals = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(Arithmetic, Reals);
 

@@ -47,19 +47,19 @@ TEST(ColorByHeight, WithoutSpreadOrCorrelationIsTheMeanColor)
 
 TEST(ColorByHeight, IsNeverNegative)
 {
-    const V3f got = filter::color_by_height(V3f(0.1F), V3f(-0.5F), 0.0F, 1.0F,
-                                            filter::visible_height(1e6F));
+    const V3f got =
+        filter::color_by_height(V3f(0.1F), V3f(-0.5F), 0.0F, 1.0F, filter::visible_height(1e6F));
     EXPECT_EQ(got, V3f(0));
 }
 
 /// a_n = (2 n + 1) E[c P_n(2 q - 1)] of a color given by rank.
-template <typename Color> double coefficient(int n, Color color)
+template <typename Color>
+double coefficient(int n, Color color)
 {
-    return (2 * n + 1) * boost::math::quadrature::gauss<double, 30>::integrate(
-                             [&](double q) {
-                                 return color(q) * boost::math::legendre_p(n, 2 * q - 1);
-                             },
-                             0.0, 1.0);
+    return (2 * n + 1) *
+           boost::math::quadrature::gauss<double, 30>::integrate(
+               [&](double q) { return color(q) * boost::math::legendre_p(n, 2 * q - 1); }, 0.0,
+               1.0);
 }
 
 // The weight of the rank q is (L + 1) q^L, so q^k shows as (L + 1) / (L + 1 + k).
