@@ -1,0 +1,324 @@
+// The kernel and the shaders as Open Shading Language runs them: oslc, testshade and testrender of
+// an install found through $OSL_ROOT or PATH. Skipped, and said so, where there is none.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+
+#include "kernel/filter.h"
+#include "pipeline/bake.h"
+#include "shaders/agreement.h"
+#include "shaders/osl_tools.h"
+#include "support/files.h"
+#include "support/random_image.h"
+
+namespace scree::test {
+namespace {
+
+using Imath::V2f;
+using Imath::V3f;
+
+class Osl : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        tools_ = find_osl();
+        if (!tools_.found())
+            GTEST_SKIP()
+                << "no oslc, testshade, testrender: set OSL_ROOT to an install of Open Shading "
+                   "Language 1.13, or put its bin folder on PATH";
+    }
+
+    void compile(const std::string& source)
+    {
+        const RunResult result =
+            run(temp_.path(), {tools_.oslc.string(), "-I" SCREE_SOURCE "/src",
+                               "-I" SCREE_SOURCE "/tests/kernel", SCREE_SOURCE "/" + source});
+        ASSERT_EQ(result.status, 0) << result.said;
+        EXPECT_EQ(result.said.find("warning"), std::string::npos) << result.said;
+    }
+
+    /// testshade ends with 0 whatever a shader reports, so what it says is looked at too.
+    RunResult shade(const std::vector<std::string>& arguments)
+    {
+        std::vector<std::string> command = {tools_.testshade.string(), "--center", "-d", "float"};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        RunResult result = run(temp_.path(), command);
+        if (result.said.find("ERROR") != std::string::npos && result.status == 0)
+            result.status = 1;
+        return result;
+    }
+
+    Image output(const std::string& name) { return read_levels(temp_ / (name + ".exr")).at(0); }
+
+    TempFolder temp_;
+    OslTools tools_;
+};
+
+TEST_F(Osl, KernelAgreesWithCppOnTheWholeTable)
+{
+    const auto cases = kernel_cases();
+    Image table{8, static_cast<int>(cases.size()), {"R", "G", "B", "A"}, {}};
+    for (const KernelCase& row : cases)
+        table.pixels.insert(table.pixels.end(), row.in.begin(), row.in.end());
+    write_image(temp_ / "cases.exr", table);
+    compile("tests/shaders/kernel_cases.osl");
+
+    std::vector<std::string> arguments = {"-g",      "1",    std::to_string(cases.size()),
+                                          "--param", "file", "cases.exr"};
+    for (int i = 0; i < 9; ++i)
+        for (const std::string& word :
+             {std::string("-o"), "o" + std::to_string(i), "o" + std::to_string(i) + ".exr"})
+            arguments.push_back(word);
+    arguments.emplace_back("kernel_cases");
+    const RunResult result = shade(arguments);
+    ASSERT_EQ(result.status, 0) << result.said;
+
+    std::vector<Outputs<float>> answers(cases.size());
+    for (int i = 0; i < kOutputs; ++i) {
+        const Image image = output("o" + std::to_string(i / 3));
+        ASSERT_EQ(image.height, static_cast<int>(cases.size()));
+        for (size_t k = 0; k < cases.size(); ++k)
+            answers[k][static_cast<size_t>(i)] = image.at(0, static_cast<int>(k), i % 3);
+    }
+    expect_agreement(cases, answers, "OSL");
+}
+
+/// Bakes h.exr and c.exr, in float.
+void bake_files(const TempFolder& temp)
+{
+    BakeOptions options;
+    options.height_file = temp / "h.exr";
+    options.color_file = temp / "c.exr";
+    options.output = temp / "set";
+    options.name = "rough";
+    options.height_scale = 0.3;
+    options.texel_size = {{1, 1}};
+    options.wrap_s = options.wrap_t = Wrap::periodic;
+    options.pixel_type = PixelTypeChoice::float32;
+    bake(options);
+}
+
+/// A set of random heights and colors, 64x64.
+void bake_random(const TempFolder& temp)
+{
+    write_image(temp / "h.exr", random_image(64, 64, {"Y"}, 31));
+    write_image(temp / "c.exr", random_image(64, 64, {"R", "G", "B"}, 32));
+    bake_files(temp);
+}
+
+/// Level 2 of a set as the C++ front reads it.
+class LevelTwo {
+public:
+    explicit LevelTwo(const std::filesystem::path& set)
+    {
+        for (const char* map : {"slope", "height", "color", "colorheight", "colorslope", "tail"})
+            levels_.push_back(read_levels(set / (std::string("rough.") + map + ".exr")).at(2));
+    }
+
+    filter::Slopes<float> slopes(int x, int y) const
+    {
+        const Image& m = levels_[0];
+        return filter::slopes<float>(
+            {m.at(x, y, 0), m.at(x, y, 1), m.at(x, y, 2), m.at(x, y, 3), m.at(x, y, 4)},
+            levels_[5].at(x, y, 0));
+    }
+
+    V3f color(int x, int y, const V3f& view, int tier, float light_exponent) const
+    {
+        const filter::Slopes<float> slope = slopes(x, y);
+        const V3f c = rgb(levels_[2], x, y);
+        V3f result = c;
+        if (tier >= 1) {
+            const float exponent = filter::masking(view, slope).lambda + light_exponent;
+            result =
+                filter::color_by_height(c, rgb(levels_[3], x, y), levels_[1].at(x, y, 0),
+                                        levels_[1].at(x, y, 1), filter::visible_height(exponent));
+        }
+        if (tier >= 2) {
+            const Image& m = levels_[4]; // Bs Bt Gs Gt Rs Rt
+            const V3f cs(m.at(x, y, 4), m.at(x, y, 2), m.at(x, y, 0));
+            const V3f ct(m.at(x, y, 5), m.at(x, y, 3), m.at(x, y, 1));
+            const V3f shift = filter::color_by_slope(c, cs, ct, view, slope) - c;
+            for (int i = 0; i < 3; ++i)
+                result[i] = std::max(0.0F, result[i] + shift[i]);
+        }
+        return result;
+    }
+
+private:
+    static V3f rgb(const Image& image, int x, int y)
+    {
+        return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
+    }
+
+    std::vector<Image> levels_;
+};
+
+// 16x16 pixels over 64x64 texels, pixel centres: the lookup is one texel of level 2. OpenImageIO
+// finds the centre of a texel to 2^-23 of the image, the values here are at most 1 apart.
+TEST_F(Osl, RawShaderGivesWhatTheCppFrontMakesOfTheSameTexels)
+{
+    bake_random(temp_);
+    compile("src/shaders/scree_raw.osl");
+    const LevelTwo set(temp_ / "set");
+    const V3f view = V3f(0.8F, -0.3F, 0.35F).normalized();
+    for (const int tier : {0, 1, 2}) {
+        const RunResult result = shade({"-g",
+                                        "16",
+                                        "16",
+                                        "--param",
+                                        "folder",
+                                        "set",
+                                        "--param",
+                                        "name",
+                                        "rough",
+                                        "--param",
+                                        "tier",
+                                        std::to_string(tier),
+                                        "--param",
+                                        "light_exponent",
+                                        "0.7",
+                                        "--param",
+                                        "base_alpha",
+                                        "0.1",
+                                        "--param:type=vector",
+                                        "view",
+                                        "0.8,-0.3,0.35",
+                                        "-o",
+                                        "visible_color",
+                                        "color.exr",
+                                        "-o",
+                                        "visible_slope",
+                                        "slope.exr",
+                                        "-o",
+                                        "visible_covariance",
+                                        "covariance.exr",
+                                        "-o",
+                                        "masking",
+                                        "masking.exr",
+                                        "-o",
+                                        "roughness",
+                                        "roughness.exr",
+                                        "scree_raw"});
+        ASSERT_EQ(result.status, 0) << result.said;
+        const Image color = output("color"), slope = output("slope"),
+                    covariance = output("covariance"), masking = output("masking"),
+                    roughness = output("roughness");
+        ASSERT_EQ(color.width, 16);
+        for (int y = 0; y < 16; ++y)
+            for (int x = 0; x < 16; ++x) {
+                const auto slopes = set.slopes(x, y);
+                const auto visible = filter::visible_slopes(view, slopes);
+                const auto hidden = filter::masking(view, slopes);
+                const auto lobe = filter::beckmann_roughness(slopes.covariance, 0.1F);
+                const V3f c = set.color(x, y, view, tier, 0.7F);
+                const std::array<std::pair<const Image*, V3f>, 5> all = {
+                    {{&color, c},
+                     {&slope, {visible.area, visible.mean.x, visible.mean.y}},
+                     {&covariance,
+                      {visible.covariance.ss, visible.covariance.st, visible.covariance.tt}},
+                     {&masking, {hidden.lambda, hidden.g1, slopes.tau}},
+                     {&roughness, {lobe.alpha_x, lobe.alpha_y, lobe.angle_rad}}}};
+                for (const auto& [image, want] : all)
+                    for (int i = 0; i < 3; ++i)
+                        ASSERT_NEAR(image->at(x, y, i), want[i],
+                                    2e-5F * std::max(1.0F, std::abs(want[i])))
+                            << "tier " << tier << " texel " << x << ' ' << y << " channel " << i;
+            }
+    }
+}
+
+TEST_F(Osl, ScaleOfTheHeightsScalesSlopesOnceAndCovariancesTwice)
+{
+    bake_random(temp_);
+    compile("src/shaders/scree_raw.osl");
+    const LevelTwo set(temp_ / "set");
+    const RunResult result =
+        shade({"-g", "16", "16", "--param", "folder", "set", "--param", "name", "rough", "--param",
+               "height_scale", "0.5", "-o", "visible_covariance", "covariance.exr", "scree_raw"});
+    ASSERT_EQ(result.status, 0) << result.said;
+    const Image covariance = output("covariance");
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) {
+            const auto slopes = set.slopes(x, y); // seen from straight above: all of them
+            EXPECT_NEAR(covariance.at(x, y, 0), 0.25F * slopes.covariance.ss, 1e-5F);
+            EXPECT_NEAR(covariance.at(x, y, 2), 0.25F * slopes.covariance.tt, 1e-5F);
+        }
+}
+
+/// The set on a square under a white sky, seen from 15 degrees above it, 64 texels on 16 pixels;
+/// mean radiance.
+class Rendered : public Osl {
+protected:
+    V3f render(const std::string& parameters)
+    {
+        std::ofstream(temp_ / "scene.xml")
+            << "<World>\n"
+               "<Camera eye=\"0.5,-9.16,2.59\" look_at=\"0.5,0.5,0\" up=\"0,0,1\" fov=\"1\" />\n"
+               "<ShaderGroup>shader sky layer1;</ShaderGroup>\n"
+               "<Background resolution=\"32\" />\n"
+               "<ShaderGroup>string folder \"set\"; string name \"rough\"; "
+            << parameters
+            << " shader scree_surface layer1;</ShaderGroup>\n"
+               "<Quad corner=\"0,0,0\" edge_x=\"1,0,0\" edge_y=\"0,1,0\" />\n"
+               "</World>\n";
+        const RunResult result = run(temp_.path(), {tools_.testrender.string(), "-r", "32", "16",
+                                                    "-aa", "6", "scene.xml", "picture.exr"});
+        EXPECT_EQ(result.status, 0) << result.said;
+        EXPECT_EQ(result.said.find("ERROR"), std::string::npos) << result.said;
+        const Image picture = read_levels(temp_ / "picture.exr").at(0);
+        V3f sum(0);
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x)
+                for (int i = 0; i < 3; ++i) {
+                    EXPECT_TRUE(std::isfinite(picture.at(x, y, i)));
+                    sum[i] += picture.at(x, y, i);
+                }
+        return sum / static_cast<float>(picture.width * picture.height);
+    }
+};
+
+// Red goes up with height and blue goes down, so at grazing angles red shows more; under a white
+// sky a surface without specular has its color.
+TEST_F(Rendered, SurfaceShaderShowsHighPartsAtGrazingAngles)
+{
+    Image height = random_image(64, 64, {"Y"}, 41);
+    Image color{64, 64, {"R", "G", "B"}, {}};
+    for (float& h : height.pixels) {
+        for (const float c : {h, 0.5F, 1 - h})
+            color.pixels.push_back(0.3F + 0.4F * (c - 0.5F));
+        h *= 5; // slopes of 0.5 deviation
+    }
+    write_image(temp_ / "h.exr", height);
+    write_image(temp_ / "c.exr", color);
+    bake_files(temp_);
+    compile("src/shaders/scree_surface.osl");
+    compile("tests/shaders/sky.osl");
+
+    const V3f mean = render("int tier 0; float eta 0;");
+    const V3f seen = render("int tier 1; float eta 0;");
+    const V3f lit = render("int tier 1; float eta 0; float light_exponent 5;");
+    const V3f coated = render("int tier 0; float base_alpha 0.1;");
+    // 2 %: sampling of 32 x 16 x 36 paths.
+    EXPECT_NEAR(mean[1], 0.3F, 0.006F);
+    EXPECT_NEAR(seen[1], mean[1], 0.006F) << "green does not go with height";
+    EXPECT_GT(seen[0], mean[0] + 0.02F);
+    EXPECT_LT(seen[2], mean[2] - 0.02F);
+    EXPECT_GT(lit[0], seen[0] + 0.01F) << "what is lit as well lies higher still";
+    EXPECT_GT(coated[1], mean[1] + 0.02F) << "the coat reflects the sky";
+}
+
+TEST_F(Osl, AMissingSetIsNamed)
+{
+    compile("src/shaders/scree_surface.osl");
+    const RunResult result = shade({"-g", "1", "1", "--param", "folder", "nowhere", "--param",
+                                    "name", "rough", "-o", "Ci", "null", "scree_surface"});
+    EXPECT_NE(result.status, 0);
+    EXPECT_NE(result.said.find("nowhere/rough.slope.exr"), std::string::npos) << result.said;
+}
+
+} // namespace
+} // namespace scree::test
