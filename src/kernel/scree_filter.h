@@ -75,11 +75,12 @@ SCREE_FUNCTION Real scree_minus_products(Real x, Real a, Real b, Real c, Real d)
 /// exp(r) for |r| <= 0.37, to 1e-8 relative or rounding: a minimax polynomial.
 SCREE_FUNCTION Real scree_exp_small(Real r)
 {
-    Real rr = r * r;
-    Real p = (LIT(0.4999999954996815) + LIT(0.16666576962372753) * r) +
-             (LIT(0.04166685423024811) + LIT(0.008363200039986536) * r) * rr +
-             LIT(0.0013901298496059652) * (rr * rr);
-    return (LIT(1.0) + r) + rr * p;
+    Real p = LIT(0.0013901298496059652);
+    p = p * r + LIT(0.008363200039986536);
+    p = p * r + LIT(0.04166685423024811);
+    p = p * r + LIT(0.16666576962372753);
+    p = p * r + LIT(0.4999999954996815);
+    return (LIT(1.0) + r) + r * r * p;
 }
 
 /// exp(-x) for x in [0, 1e4], to 1e-8 relative or rounding of x; 0 below 2^-118 in single
@@ -239,14 +240,17 @@ SCREE_FUNCTION void scree_gaussian_view(Real z, OUT(Real, tail), OUT(Real, shift
     Real y = abs(z);
     Real yc = min(y, LIT(10000.0));
     Real yy = yc * yc;
-    Real yyyy = yy * yy;
-    // Summed by pairs (Estrin), not by Horner's chain: half the time of this function is waiting.
-    Real p = ((LIT(2370.404870634954) + LIT(1573.1392419003637) * yc) +
-              (LIT(543.3554044234369) + LIT(115.13415732232644) * yc) * yy) +
-             (LIT(14.938073704786133) + yc) * yyyy;
-    Real q = ((LIT(4456.29292412552) + LIT(4223.943158734694) * yc) +
-              (LIT(2014.8300333143318) + LIT(603.0709719142551) * yc) * yy) +
-             ((LIT(119.13473122800038) + LIT(14.938070693429644) * yc) + yy) * yyyy;
+    Real p = yc + LIT(14.938073704786133);
+    p = p * yc + LIT(115.13415732232644);
+    p = p * yc + LIT(543.3554044234369);
+    p = p * yc + LIT(1573.1392419003637);
+    p = p * yc + LIT(2370.404870634954);
+    Real q = yc + LIT(14.938070693429644);
+    q = q * yc + LIT(119.13473122800038);
+    q = q * yc + LIT(603.0709719142551);
+    q = q * yc + LIT(2014.8300333143318);
+    q = q * yc + LIT(4223.943158734694);
+    q = q * yc + LIT(4456.29292412552);
     // K3 = p / q; K2 = q / q2, K1 = q2 / q1 and the Mills ratio q1 / q0 follow.
     Real q2 = yc * q + LIT(3.0) * p;
     Real q1 = (yy + LIT(2.0)) * q + LIT(3.0) * yc * p;

@@ -72,9 +72,8 @@ const Footprints& footprints()
 
 void per_footprint(benchmark::State& state)
 {
-    state.SetItemsProcessed(state.iterations() * kCount);
-    state.counters["ns"] =
-        benchmark::Counter(static_cast<double>(state.iterations()) * kCount * 1e-9,
+    state.counters["per_footprint"] =
+        benchmark::Counter(static_cast<double>(state.iterations()) * kCount,
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
