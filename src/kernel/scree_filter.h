@@ -183,15 +183,15 @@ SCREE_FUNCTION Real scree_facing(Real wx, Real wy, Real wz, Real ms, Real mt)
 /// b            sqrt(w' C w) >= 0; 0 where C does not spread along w (flat, or w upright)
 /// per_b        1 / b; 1e18 where b is 0
 /// us, ut       u, a slope; 0 where b is 0
-/// unseen       det C / b^2 >= 0; 0 where b is 0
+/// det          det C >= 0
 /// error        relative, a few roundings for any anisotropy and correlation
 /// source       derived in docs/filtering.md
 SCREE_FUNCTION void scree_spread(Real wx, Real wy, Real css, Real cst, Real ctt, OUT(Real, b),
-                                 OUT(Real, per_b), OUT(Real, us), OUT(Real, ut), OUT(Real, unseen))
+                                 OUT(Real, per_b), OUT(Real, us), OUT(Real, ut), OUT(Real, det))
 {
     Real ks = scree_product_difference(css, wx, -cst, wy);
     Real kt = scree_product_difference(ctt, wy, -cst, wx);
-    Real det = max(scree_product_difference(css, ctt, cst, cst), LIT(0.0));
+    det = max(scree_product_difference(css, ctt, cst, cst), LIT(0.0));
     // trace(C) w'Cw = |Cw|^2 + det |w|^2 (Cayley-Hamilton): a sum of squares, where the sum
     // css wx^2 + 2 cst wx wy + ctt wy^2 may cancel.
     Real trace = css + ctt;
@@ -200,14 +200,11 @@ SCREE_FUNCTION void scree_spread(Real wx, Real wy, Real css, Real cst, Real ctt,
     per_b = LIT(1.0e18);
     us = LIT(0.0);
     ut = LIT(0.0);
-    unseen = LIT(0.0);
-    if (trace > LIT(1.0e-18) && trace_bb > LIT(1.0e-37)) {
-        Real per_bb = trace / trace_bb;
-        per_b = sqrt(per_bb);
+    if (trace > LIT(1.0e-18) && trace_bb > LIT(1.0e-37) * (LIT(1.0) + trace)) {
+        per_b = sqrt(trace / trace_bb);
         b = LIT(1.0) / per_b;
         us = ks * per_b;
         ut = kt * per_b;
-        unseen = det * per_bb;
     }
 }
 
@@ -336,12 +333,12 @@ SCREE_FUNCTION void scree_mixture_view(Real z, Real tau, OUT(Real, tail), OUT(Re
 /// All of the above for one direction: a, z, what scree_spread gives of C, and the four numbers.
 SCREE_FUNCTION void scree_view(Real wx, Real wy, Real wz, Real ms, Real mt, Real css, Real cst,
                                Real ctt, Real tau, OUT(Real, a), OUT(Real, z), OUT(Real, b),
-                               OUT(Real, us), OUT(Real, ut), OUT(Real, unseen), OUT(Real, tail),
-                               OUT(Real, shift), OUT(Real, narrowing), OUT(Real, widening))
+                               OUT(Real, per_b), OUT(Real, us), OUT(Real, ut), OUT(Real, det),
+                               OUT(Real, tail), OUT(Real, shift), OUT(Real, narrowing),
+                               OUT(Real, widening))
 {
-    Real per_b = LIT(0.0);
     a = scree_facing(wx, wy, wz, ms, mt);
-    scree_spread(wx, wy, css, cst, ctt, b, per_b, us, ut, unseen);
+    scree_spread(wx, wy, css, cst, ctt, b, per_b, us, ut, det);
     z = a * per_b;
     scree_mixture_view(z, tau, tail, shift, narrowing, widening);
 }
@@ -350,22 +347,23 @@ SCREE_FUNCTION void scree_view(Real wx, Real wy, Real wz, Real ms, Real mt, Real
 ///
 ///   N = E[max(0, wz - w . slope)] = b (z + tail(z))
 ///
-/// returns N >= max(a, 0); 0 where it is below the smallest normal number (z < -12.9 in single
-///         precision)
+/// returns N >= max(a, 0); 0 where z < -12.7 in single precision: the smallest normal numbers
+///         end there
 SCREE_FUNCTION Real scree_projected_area(Real wx, Real wy, Real wz, Real ms, Real mt, Real css,
                                          Real cst, Real ctt, Real tau)
 {
     Real a = LIT(0.0);
     Real z = LIT(0.0);
     Real b = LIT(0.0);
+    Real per_b = LIT(0.0);
     Real us = LIT(0.0);
     Real ut = LIT(0.0);
-    Real unseen = LIT(0.0);
+    Real det = LIT(0.0);
     Real tail = LIT(0.0);
     Real shift = LIT(0.0);
     Real narrowing = LIT(0.0);
     Real widening = LIT(0.0);
-    scree_view(wx, wy, wz, ms, mt, css, cst, ctt, tau, a, z, b, us, ut, unseen, tail, shift,
+    scree_view(wx, wy, wz, ms, mt, css, cst, ctt, tau, a, z, b, per_b, us, ut, det, tail, shift,
                narrowing, widening);
     return max(a, LIT(0.0)) + b * tail;
 }
@@ -386,14 +384,15 @@ SCREE_FUNCTION void scree_masking(Real wx, Real wy, Real wz, Real ms, Real mt, R
     Real a = LIT(0.0);
     Real z = LIT(0.0);
     Real b = LIT(0.0);
+    Real per_b = LIT(0.0);
     Real us = LIT(0.0);
     Real ut = LIT(0.0);
-    Real unseen = LIT(0.0);
+    Real det = LIT(0.0);
     Real tail = LIT(0.0);
     Real shift = LIT(0.0);
     Real narrowing = LIT(0.0);
     Real widening = LIT(0.0);
-    scree_view(wx, wy, wz, ms, mt, css, cst, ctt, tau, a, z, b, us, ut, unseen, tail, shift,
+    scree_view(wx, wy, wz, ms, mt, css, cst, ctt, tau, a, z, b, per_b, us, ut, det, tail, shift,
                narrowing, widening);
     Real safe = max(z, LIT(1.0e-30));
     lambda = z > LIT(0.0) ? min(tail / safe, LIT(1.0e6)) : LIT(1.0e6);
@@ -437,14 +436,15 @@ SCREE_FUNCTION void scree_visible_slopes(Real wx, Real wy, Real wz, Real ms, Rea
     Real a = LIT(0.0);
     Real z = LIT(0.0);
     Real b = LIT(0.0);
+    Real per_b = LIT(0.0);
     Real us = LIT(0.0);
     Real ut = LIT(0.0);
-    Real unseen = LIT(0.0);
+    Real det = LIT(0.0);
     Real tail = LIT(0.0);
     Real shift = LIT(0.0);
     Real narrowing = LIT(0.0);
     Real widening = LIT(0.0);
-    scree_view(wx, wy, wz, ms, mt, css, cst, ctt, tau, a, z, b, us, ut, unseen, tail, shift,
+    scree_view(wx, wy, wz, ms, mt, css, cst, ctt, tau, a, z, b, per_b, us, ut, det, tail, shift,
                narrowing, widening);
     area = max(a, LIT(0.0)) + b * tail;
     vs = ms + us * shift;
@@ -453,10 +453,12 @@ SCREE_FUNCTION void scree_visible_slopes(Real wx, Real wy, Real wz, Real ms, Rea
     vtt = ctt;
     vst = cst;
     if (b > LIT(0.0)) {
-        Real across = widening * unseen;
-        vss = across * (wy * wy) + narrowing * (us * us);
-        vtt = across * (wx * wx) + narrowing * (ut * ut);
-        vst = narrowing * (us * ut) - across * (wx * wy);
+        Real across = widening * det;
+        Real xs = wx * per_b;
+        Real xt = wy * per_b;
+        vss = across * (xt * xt) + narrowing * (us * us);
+        vtt = across * (xs * xs) + narrowing * (ut * ut);
+        vst = narrowing * (us * ut) - across * (xs * xt);
     }
     // Where the two rank-one parts are very unequal, rounding may leave a determinant of -1e-7.
     Real raise = vst * vst > vss * vtt * LIT(0.9999990) ? LIT(1.0000010) : LIT(1.0);
@@ -591,9 +593,9 @@ SCREE_FUNCTION void scree_slope_along(Real ds, Real dt, Real ms, Real mt, Real c
     Real per_deviation = LIT(0.0);
     Real us = LIT(0.0);
     Real ut = LIT(0.0);
-    Real unseen = LIT(0.0);
+    Real det = LIT(0.0);
     mean = ds * ms + dt * mt;
-    scree_spread(ds, dt, css, cst, ctt, deviation, per_deviation, us, ut, unseen);
+    scree_spread(ds, dt, css, cst, ctt, deviation, per_deviation, us, ut, det);
 }
 
 /// How strongly a direction pulls color that goes with slope: shift / b, so that the visible color
@@ -613,12 +615,12 @@ SCREE_FUNCTION Real scree_slope_pull(Real wx, Real wy, Real wz, Real ms, Real mt
     Real per_b = LIT(0.0);
     Real us = LIT(0.0);
     Real ut = LIT(0.0);
-    Real unseen = LIT(0.0);
+    Real det = LIT(0.0);
     Real tail = LIT(0.0);
     Real shift = LIT(0.0);
     Real narrowing = LIT(0.0);
     Real widening = LIT(0.0);
-    scree_spread(wx, wy, css, cst, ctt, b, per_b, us, ut, unseen);
+    scree_spread(wx, wy, css, cst, ctt, b, per_b, us, ut, det);
     Real facing = max(scree_facing(wx, wy, wz, ms, mt), LIT(0.0));
     scree_mixture_view(facing * per_b, tau, tail, shift, narrowing, widening);
     Real least = LIT(1.0e-8) * (wx * wx + wy * wy) * (css + ctt);

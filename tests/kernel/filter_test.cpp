@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace scree::test {
 namespace {
@@ -112,6 +113,60 @@ TEST(Front, GaussianMaskingOfAGrooveIsWhatGaussianMaskingIs)
         EXPECT_NEAR(filter::masking(V3d(std::sin(theta), 0, std::cos(theta)), groove).g1, want,
                     5e-4)
             << degrees;
+    }
+}
+
+// Directions next to upright and next to grazing, variances from nothing to the largest, slopes to
+// a million, covariances that are none.
+TEST(Front, EveryResultIsFiniteForFiniteInputs)
+{
+    std::mt19937 random(9);
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+    };
+    const auto magnitude = [&](double low, double high) { // powers of ten, or 0
+        return random() % 8 == 0 ? 0.0 : std::pow(10.0, uniform(low, high));
+    };
+    const auto direction = [&] {
+        const double sine = std::min(1.0, magnitude(-30, 0)), phi = uniform(-3.2, 3.2);
+        return V3f(static_cast<float>(sine * std::cos(phi)),
+                   static_cast<float>(sine * std::sin(phi)),
+                   static_cast<float>(std::sqrt(1 - sine * sine)));
+    };
+    const auto sign = [&] { return random() % 2 == 0 ? 1.0 : -1.0; };
+    for (int k = 0; k < 300000; ++k) {
+        filter::Slopes<float> slopes;
+        slopes.mean = {static_cast<float>(sign() * magnitude(-20, 6)),
+                       static_cast<float>(sign() * magnitude(-20, 6))};
+        const double ss = magnitude(-40, 12), tt = magnitude(-40, 12);
+        slopes.covariance = {static_cast<float>(ss),
+                             static_cast<float>(uniform(-1.1, 1.1) * std::sqrt(ss * tt)),
+                             static_cast<float>(tt)};
+        slopes.tau = k % 3 == 0 ? static_cast<float>(uniform(0, 1)) : 0;
+        const V3f wo = direction(), wi = direction();
+        const auto visible = filter::visible_slopes(wo, slopes);
+        const auto masking = filter::masking(wo, slopes);
+        const auto lobe = filter::beckmann_roughness(slopes.covariance, 0.1F);
+        const V3f color = filter::color_by_slope(V3f(0.5F), V3f(0.1F), V3f(-0.1F), wo, slopes);
+        const float numbers[] = {visible.area,
+                                 visible.mean.x,
+                                 visible.mean.y,
+                                 visible.covariance.ss,
+                                 visible.covariance.st,
+                                 visible.covariance.tt,
+                                 masking.lambda,
+                                 masking.g1,
+                                 lobe.alpha_x,
+                                 lobe.alpha_y,
+                                 lobe.angle_rad,
+                                 color[0],
+                                 filter::specular(wo, wi, slopes, 0.1F),
+                                 filter::diffuse(wo, wi, slopes)};
+        for (size_t i = 0; i < std::size(numbers); ++i)
+            ASSERT_TRUE(std::isfinite(numbers[i]))
+                << "number " << i << " wo " << wo << " wi " << wi << " mean " << slopes.mean
+                << " covariance " << slopes.covariance.ss << ' ' << slopes.covariance.st << ' '
+                << slopes.covariance.tt << " tau " << slopes.tau;
     }
 }
 
