@@ -1,5 +1,5 @@
 // How an OSL shader reads a texture set and what a viewer sees of it. All formulas are in
-// kernel/scree_filter.h; compile with oslc -I and the folder that holds kernel/.
+// kernel/scree_filter.h; compile with oslc -IFOLDER (no space), FOLDER the one that holds kernel/.
 
 #ifndef SCREE_SET_OSL
 #define SCREE_SET_OSL

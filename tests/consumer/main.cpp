@@ -1,9 +1,11 @@
 // Bakes a slope made on the fly and reads its manifest: consumer FOLDER.
 
+#include <kernel/filter.h>
 #include <pipeline/bake.h>
 #include <string>
 #include <texset/manifest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <exception>
 
@@ -34,6 +36,10 @@ private:
 
 } // namespace
 
+Imath::V3f shade(const scree::filter::SlopeMoments<float>& slope, float tau,
+                 const Imath::V3f& color, float h, float hh, const Imath::V3f& color_height,
+                 const Imath::V3f& to_viewer, const Imath::V3f& to_light, float base_alpha);
+
 int main(int argc, char** argv)
 {
     if (argc != 2)
@@ -52,6 +58,12 @@ int main(int argc, char** argv)
         const auto slope = read.levels.back().mean_slope.value();
         std::printf("%s %dx%d, %zu levels, slope %.6f %.6f\n", read.name.c_str(), read.width,
                     read.height, read.levels.size(), slope[0], slope[1]);
+
+        // That plane of color 0.5, seen and lit from straight above, and next to no gloss.
+        const Imath::V3f up(0, 0, 1);
+        const Imath::V3f seen = shade({0.5F, 0.25F, -0.125F, -0.25F, 0.0625F}, 0, Imath::V3f(0.5F),
+                                      0, 0, Imath::V3f(0), up, up, 5.0F);
+        std::printf("shaded %.3f\n", static_cast<double>(seen.x));
     } catch (const std::exception& e) {
         std::fprintf(stderr, "%s\n", e.what());
         return 1;

@@ -1,7 +1,10 @@
 // The kernel as GLSL reads it, against the kernel in C++.
 
+#include <fstream>
+
 #include "kernel/cases.h"
 #include "shaders/agreement.h"
+#include "shaders/doc_example.h"
 #include "shaders/gl_fixture.h"
 
 namespace scree::test {
@@ -32,6 +35,24 @@ TEST_P(Glsl, KernelAgreesWithCppOnTheWholeTable)
 {
     const auto cases = kernel_cases();
     expect_agreement(cases, evaluate_in_glsl(context(), cases), "GLSL " + glsl_version(GetParam()));
+}
+
+TEST_P(Glsl, TheExampleOfTheDocsCompiles)
+{
+    const TempFolder temp;
+    std::ofstream(temp / "example.frag") << doc_example("glsl");
+    std::ofstream(temp / "example.vert") << "out vec2 st;\n"
+                                            "out vec3 to_viewer;\n"
+                                            "void main()\n"
+                                            "{\n"
+                                            "    st = vec2(gl_VertexID & 1, gl_VertexID >> 1);\n"
+                                            "    to_viewer = vec3(0.0, 0.0, 1.0);\n"
+                                            "    gl_Position = vec4(2.0 * st - 1.0, 0.0, 1.0);\n"
+                                            "}\n";
+    EXPECT_NE(context().program({(temp / "example.vert").string()},
+                                {"src/kernel/prelude_glsl.h", "src/kernel/scree_filter.h",
+                                 "src/shaders/scree_set.glsl", (temp / "example.frag").string()}),
+              0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernel, Glsl, both_dialects(), dialect_name);

@@ -10,6 +10,7 @@
 #include "kernel/filter.h"
 #include "pipeline/bake.h"
 #include "shaders/agreement.h"
+#include "shaders/doc_example.h"
 #include "shaders/osl_tools.h"
 #include "support/files.h"
 #include "support/random_image.h"
@@ -309,6 +310,19 @@ TEST_F(Rendered, SurfaceShaderShowsHighPartsAtGrazingAngles)
     EXPECT_LT(seen[2], mean[2] - 0.02F);
     EXPECT_GT(lit[0], seen[0] + 0.01F) << "what is lit as well lies higher still";
     EXPECT_GT(coated[1], mean[1] + 0.02F) << "the coat reflects the sky";
+}
+
+TEST_F(Osl, TheExampleOfTheDocsCompilesAndRuns)
+{
+    bake_random(temp_);
+    std::ofstream(temp_ / "my_surface.osl") << doc_example("c");
+    const RunResult compiled =
+        run(temp_.path(), {tools_.oslc.string(), "-I" SCREE_SOURCE "/src",
+                           "-I" SCREE_SOURCE "/src/shaders", "my_surface.osl"});
+    ASSERT_EQ(compiled.status, 0) << compiled.said;
+    const RunResult result = shade({"-g", "2", "2", "--param", "folder", "set", "--param", "name",
+                                    "rough", "-o", "Ci", "null", "my_surface"});
+    EXPECT_EQ(result.status, 0) << result.said;
 }
 
 TEST_F(Osl, AMissingSetIsNamed)
