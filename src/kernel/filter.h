@@ -7,6 +7,10 @@
 
 #include <Imath/ImathVec.h>
 
+#pragma push_macro("LIT")
+#pragma push_macro("OUT")
+#undef LIT
+#undef OUT
 #include "kernel/prelude_cpp.h"
 
 namespace scree::kernel {
@@ -16,6 +20,8 @@ namespace scree::kernel {
 #undef SCREE_FUNCTION
 #undef LIT
 #undef OUT
+#pragma pop_macro("OUT")
+#pragma pop_macro("LIT")
 
 namespace scree::filter {
 
@@ -130,6 +136,14 @@ VisibleHeight<Real> visible_height(Real exponent)
     return out;
 }
 
+/// Standard deviation of a filtered height: what a height-mapped color is looked up with is
+/// h + sigma visible.mean and sigma sqrt(visible.variance), see color_map_coordinates.
+template <typename Real>
+Real height_sigma(Real h, Real hh)
+{
+    return kernel::scree_height_sigma(h, hh);
+}
+
 /// Visible color by its linear correlation with height.
 ///
 /// color, color_height  E[c], E[c hn];  h, hh  E[hn], E[hn hn]: lookups in the set
@@ -143,14 +157,14 @@ Vec3<Real> color_by_height(const Vec3<Real>& color, const Vec3<Real>& color_heig
     return out;
 }
 
-/// Visible color by rank: a_1..a_count of NAME.rank.exr, count at most 8.
+/// Visible color by rank: a_1..a_count of NAME.rank.exr; those beyond 8 are not used.
 template <typename Real>
 Vec3<Real> color_by_rank(const Vec3<Real>& color, const Vec3<Real>* a, int count, Real exponent)
 {
     Vec3<Real> out;
     for (int i = 0; i < 3; ++i) {
         Real of[8] = {};
-        for (int n = 0; n < count; ++n)
+        for (int n = 0; n < std::min(count, 8); ++n)
             of[n] = a[n][i];
         out[i] = kernel::scree_color_by_rank(color[i], of[0], of[1], of[2], of[3], of[4], of[5],
                                              of[6], of[7], exponent);

@@ -40,11 +40,19 @@ using std::sqrt;
     return x;
 }
 
-/// x, in a way that keeps a shading compiler from simplifying (a + x) - a; C++ compilers do not.
-template <typename Real>
-[[gnu::always_inline]] inline Real scree_opaque(Real x)
+/// x, in a way no compiler sees through, so that (a + x) - a stays and a product is not contracted.
+/// No number of the kernel has these bits; they are those of a NaN.
+[[gnu::always_inline]] inline float scree_opaque(float x)
 {
-    return x;
+    uint32_t bits = 0;
+    std::memcpy(&bits, &x, sizeof bits);
+    return bits == 0x7fc5c4eeU ? 0 : x;
+}
+[[gnu::always_inline]] inline double scree_opaque(double x)
+{
+    uint64_t bits = 0;
+    std::memcpy(&bits, &x, sizeof bits);
+    return bits == 0x7ff8c5c4ee000000U ? 0 : x;
 }
 
 /// a b - c d and x - a b - c d rounded once, as the functions of that name in scree_filter.h:

@@ -18,7 +18,8 @@ float scree_high_part(float x)
     return abs(x) < 1e34 ? shifted - (shifted - x) : x;
 }
 
-float scree_opaque(float x) { return x; }
+// OSL has no bits to look at; no number of the kernel reaches 1e38.
+float scree_opaque(float x) { return x < 1e38 ? x : 0.0; }
 
 // exp2 of an integer is exact, with OSL's fast mathematics too.
 float scree_exp2_minus_nearest(float x, output float n)

@@ -17,9 +17,11 @@
 //   k = C (wx, wy),  b = sqrt((wx, wy) . k)     spread of that area over the facets
 //   z = a / b                  how far the mean plane is from facing away, in spreads
 //
-// Ranges, in single precision: variances 1e-18 to 1e12, less counts as none. Every result is
-// finite for finite inputs. Contracted multiply-adds do no harm; a compiler that may reorder sums
-// (-ffast-math) loses the exactness of scree_product_difference and nothing else.
+// Ranges, in single precision: mean slopes to 1e6, variances 1e-18 to 1e12, less counts as none.
+// There every result is finite. Inputs are numbers: what comes of a NaN is not defined. Contracted
+// multiply-adds do no harm. A compiler that may reorder sums (-ffast-math) takes the exactness of
+// scree_product_difference and scree_minus_products where they are computed as below; then long
+// thin covariances, and z below -5, are no more accurate than in the textbook.
 
 #ifndef SCREE_FILTER_H
 #define SCREE_FILTER_H
@@ -54,8 +56,9 @@ SCREE_FUNCTION Real scree_sum_error(Real a, Real b, Real sum)
 /// In C++ single precision the prelude has the same by way of double.
 SCREE_FUNCTION Real scree_product_difference(Real a, Real b, Real c, Real d)
 {
-    Real p = a * b;
-    Real q = c * d;
+    // Opaque: contracted into p - q, the product would not be the one whose error is known.
+    Real p = scree_opaque(a * b);
+    Real q = scree_opaque(c * d);
     Real difference = p - q;
     Real error = scree_sum_error(p, -q, difference);
     return difference + (error + (scree_product_error(a, b, p) - scree_product_error(c, d, q)));
@@ -64,15 +67,16 @@ SCREE_FUNCTION Real scree_product_difference(Real a, Real b, Real c, Real d)
 /// x - a b - c d, rounded once; likewise.
 SCREE_FUNCTION Real scree_minus_products(Real x, Real a, Real b, Real c, Real d)
 {
-    Real p = a * b;
-    Real q = c * d;
+    Real p = scree_opaque(a * b);
+    Real q = scree_opaque(c * d);
     Real first = x - p;
     Real second = first - q;
     Real error = scree_sum_error(x, -p, first) + scree_sum_error(first, -q, second);
     return second + (error - (scree_product_error(a, b, p) + scree_product_error(c, d, q)));
 }
 
-/// exp(r) for |r| <= 0.37, to 1e-8 relative or rounding: a minimax polynomial.
+/// exp(r) to 1e-8 relative or rounding for |r| <= ln(2) / 2, 4e-8 for |r| <= 0.37: a minimax
+/// polynomial.
 SCREE_FUNCTION Real scree_exp_small(Real r)
 {
     Real p = LIT(0.0013901298496059652);
@@ -98,7 +102,8 @@ SCREE_FUNCTION Real scree_exp_minus(Real x)
     return power * scree_exp_small(r);
 }
 
-/// Density of a standard normal number at y >= 0, to 1e-7 relative; 0 where scree_exp_minus is.
+/// Density of a standard normal number at y >= 0, to 5e-7 relative in single precision; 0 where
+/// scree_exp_minus is.
 ///
 /// y^2 / 2 is taken in two parts, the first exact: its rounding alone would be 5e-6 of the density
 /// at y = 12.
@@ -213,7 +218,7 @@ SCREE_FUNCTION void scree_spread(Real wx, Real wy, Real css, Real cst, Real ctt,
 //
 //   tail       E[W] - max(z, 0): the area that masking hides, in units of b
 //   shift      E[x W] / E[W], never positive: visible slopes lean towards the viewer
-//   narrowing  variance of x under the weight W, in (0, 1]
+//   narrowing  variance of x under the weight W, in (0, 1]; of a mixture up to 1.02
 //   widening   variance across the direction, relative to its own; 1 for a Gaussian
 
 /// The four numbers for Gaussian slopes (widening is 1).
@@ -228,9 +233,11 @@ SCREE_FUNCTION void scree_spread(Real wx, Real wy, Real css, Real cst, Real ctt,
 /// nothing cancels on the far side, where the textbook form loses every digit.
 ///
 /// z      any
-/// error  relative, 3e-8 or rounding for shift and tail, five times that for narrowing, z >= -1e4
+/// error  relative, z >= -1e4: in double 4e-8; in single precision 1e-6 for shift, tail where z >
+/// -8,
+///        5e-6 for narrowing [tests/kernel/view_test.cpp]
 /// limits z -> +inf: 0, -1 / z, 1;  z -> -inf: 0, z, 2 / z^2 (kept above 2e-8)
-/// source design.md section 4; the form derived in docs/filtering.md
+/// source derived in docs/filtering.md
 SCREE_FUNCTION void scree_gaussian_view(Real z, OUT(Real, tail), OUT(Real, shift),
                                         OUT(Real, narrowing))
 {
@@ -276,10 +283,11 @@ SCREE_FUNCTION void scree_gaussian_view(Real z, OUT(Real, tail), OUT(Real, shift
 ///   z >= 0:  n = z + B e / 2,  shift = (-1 + e (z B + 1) / 2) / n,
 ///            narrowing = (z + e (z^2 B + 2 z + 3 B) / 2) / n - shift^2,
 ///            widening = 1/2 + B (z B + e (z B + 1) / 2) / n
-///   z < 0:   shift = z - sqrt(2),  narrowing = 1,  widening = 3/2 - z B: the tail of an
-///            exponential looks the same from everywhere
+///   z < 0:   shift = z - sqrt(2),  narrowing = 1,  widening = 3/2 - z B (z >= -5000): the tail of
+///            an exponential looks the same from everywhere
 ///
-/// source  design.md section 5, after d'Eon's K0 NDF; derived in docs/filtering.md
+/// error   in single precision 5e-6 of each number [tests/kernel/view_test.cpp]
+/// source  after d'Eon's K0 NDF; derived in docs/filtering.md
 SCREE_FUNCTION void scree_k0_view(Real z, OUT(Real, tail), OUT(Real, shift), OUT(Real, narrowing),
                                   OUT(Real, widening))
 {
@@ -296,7 +304,7 @@ SCREE_FUNCTION void scree_k0_view(Real z, OUT(Real, tail), OUT(Real, shift), OUT
     Real spread = (y * root_half + LIT(0.5) * e * (yc * root_half + LIT(1.0))) / area;
     shift = z >= LIT(0.0) ? -lean : -(y + LIT(1.41421356237309505));
     narrowing = z >= LIT(0.0) ? square - lean * lean : LIT(1.0);
-    widening = z >= LIT(0.0) ? LIT(0.5) + root_half * spread : LIT(1.5) + root_half * y;
+    widening = z >= LIT(0.0) ? LIT(0.5) + root_half * spread : LIT(1.5) + root_half * yc;
 }
 
 /// The four numbers for a mixture, (1 - tau) Gaussian + tau K0 of the same covariance.
@@ -475,7 +483,7 @@ SCREE_FUNCTION void scree_visible_slopes(Real wx, Real wy, Real wz, Real ms, Rea
 /// mean    0 at L = 0, 1 / sqrt(pi) at 1, 4.863 at 1e6
 /// variance 1 at L = 0, 1 - 1 / pi at 1, 0.0615 at 1e6
 /// error   relative, 1e-6 (mean) and 2e-6 (variance) [tests/kernel/visible_height_test.cpp]
-/// source  design.md section 4; rational minimax functions of (1 + L)^(1/4) - 1
+/// source  rational minimax functions of (1 + L)^(1/4) - 1, made by docs/fit_kernel.py
 SCREE_FUNCTION void scree_visible_height(Real L, OUT(Real, mean), OUT(Real, variance))
 {
     Real exponent = min(max(L, LIT(0.0)), LIT(1.0e6));
@@ -513,28 +521,34 @@ SCREE_FUNCTION void scree_visible_height(Real L, OUT(Real, mean), OUT(Real, vari
 }
 
 /// Standard deviation of a filtered height: sqrt(E[hh] - E[h]^2).
-///
-/// Never below 2^-11 of the root of E[hh]: less is rounding of the moments, and dividing by it
-/// would show noise as color.
 SCREE_FUNCTION Real scree_height_sigma(Real h, Real hh)
 {
-    return sqrt(max(scree_central(hh, h, h), LIT(2.4e-7) * hh));
+    return sqrt(max(scree_central(hh, h, h), LIT(0.0)));
 }
 
 // --- visible color, one channel at a time -------------------------------------------------------
 
 /// Color that goes linearly with height: E[c] + cov(c, hn) / sigma mu(L).
 ///
+/// Where sigma^2 is below 2^-10 of E[hh] this fades out: half floats hold no more, and a covariance
+/// of rounding errors divided by their deviation would show as color. The factor is
+/// 1 / (1 + (2^-10 E[hh] / sigma^2)^2). [tests/kernel/half_set_test.cpp]
+///
 /// c, ch    E[c], E[c hn], filtered
 /// h, hh    E[hn], E[hn hn], filtered
 /// mean     mu(L) of scree_visible_height
 /// returns  at least 0: a line may leave the range of the colors it was fitted to
-/// source   design.md section 6.2; exact where (c, h) are jointly Gaussian
+/// source   docs/filtering.md; but for the fading, exact where (c, h) are jointly Gaussian
 SCREE_FUNCTION Real scree_color_by_height(Real c, Real ch, Real h, Real hh, Real mean)
 {
-    Real sigma = scree_height_sigma(h, hh);
-    Real slope = sigma > LIT(0.0) ? scree_central(ch, c, h) / sigma : LIT(0.0);
-    return max(c + slope * mean, LIT(0.0));
+    Real variance = max(scree_central(hh, h, h), LIT(0.0));
+    Real noise = LIT(0.0009765625) * hh;
+    Real square = variance * variance + noise * noise;
+    Real shift = LIT(0.0);
+    if (square > LIT(1.0e-30)) {
+        shift = scree_central(ch, c, h) * (variance * sqrt(variance) / square) * mean;
+    }
+    return max(c + shift, LIT(0.0));
 }
 
 /// Color by the height's rank, in shifted Legendre polynomials:
@@ -547,7 +561,7 @@ SCREE_FUNCTION Real scree_color_by_height(Real c, Real ch, Real h, Real hh, Real
 /// c         E[c];  a1..a8 as baked: a_n = (2 n + 1) E[c P_n(2 q - 1)]
 /// L         as in scree_visible_height, in [0, 1e6]
 /// returns   at least 0
-/// source    design.md section 6.3, derived in docs/filtering.md
+/// source    derived in docs/filtering.md
 SCREE_FUNCTION Real scree_color_by_rank(Real c, Real a1, Real a2, Real a3, Real a4, Real a5,
                                         Real a6, Real a7, Real a8, Real L)
 {
@@ -571,9 +585,9 @@ SCREE_FUNCTION Real scree_color_by_rank(Real c, Real a1, Real a2, Real a3, Real 
 /// mean, deviation  of what the map is applied to, in the map's units; for a height-mapped color
 ///                  h + sigma mu(L) and sigma sqrt(nu(L)), for a slope-mapped one the visible slope
 ///                  (scree_slope_along)
-/// columns, rows    size of the table
+/// columns, rows    size of the table, at least 1
 /// u, v             texture coordinates in (0, 1), clamped to the centres of the border
-/// source           design.md section 6.4
+/// source           docs/filtering.md
 SCREE_FUNCTION void scree_color_map_coordinates(Real mean, Real deviation, Real low, Real high,
                                                 Real widest, Real columns, Real rows, OUT(Real, u),
                                                 OUT(Real, v))
@@ -607,7 +621,7 @@ SCREE_FUNCTION void scree_slope_along(Real ds, Real dt, Real ms, Real mt, Real c
 /// the mean plane faces away the pull is that of the horizon (z = 0).
 ///
 /// returns  pull <= 0; 0 where the slope does not spread along the direction
-/// source   design.md section 6.5
+/// source   derived in docs/filtering.md
 SCREE_FUNCTION Real scree_slope_pull(Real wx, Real wy, Real wz, Real ms, Real mt, Real css,
                                      Real cst, Real ctt, Real tau)
 {
@@ -691,34 +705,37 @@ SCREE_FUNCTION Real scree_slope_pdf(Real s, Real t, Real ms, Real mt, Real css, 
 ///
 /// with the base roughness added to the covariance throughout, so masking and lobe agree.
 ///
-/// wo, wi      to viewer and light
+/// wo, wi      to viewer and light, above the texture plane: a light below it is the renderer's to
+///             leave out
 /// base_alpha  Beckmann roughness of the facets; below 1e-4 counts as 1e-4
-/// returns     >= 0, finite; 0 where the mean plane faces away from the viewer or the light
-/// source      LEADR mapping (Dupuy et al. 2013), eq. for the non-centred Beckmann lobe; G2 as in
-///             scree_g2. a_o, not the geometric cosine: the footprint's own mean plane is what is
-///             seen
+/// returns     in [0, 1e30]; 0 where the mean plane faces away from the light. Where it faces away
+///             from the viewer a_o counts as 0: the few facets that do face him reflect on, until
+///             their area is below 1e-24
+/// source      LEADR mapping (Dupuy et al. 2013), its non-centred Beckmann lobe; G2 as in scree_g2.
+///             a_o, not the geometric cosine: the footprint's own mean plane is what is seen
 SCREE_FUNCTION Real scree_specular(Real wox, Real woy, Real woz, Real wix, Real wiy, Real wiz,
                                    Real ms, Real mt, Real css, Real cst, Real ctt, Real base_alpha)
 {
     Real base = max(base_alpha, LIT(1.0e-4));
     Real rss = css + LIT(0.5) * base * base;
     Real rtt = ctt + LIT(0.5) * base * base;
-    Real facing_o = scree_facing(wox, woy, woz, ms, mt);
+    Real facing_o = max(scree_facing(wox, woy, woz, ms, mt), LIT(0.0));
     Real facing_i = scree_facing(wix, wiy, wiz, ms, mt);
     Real hx = wox + wix;
     Real hy = woy + wiy;
     Real hz = woz + wiz;
     Real result = LIT(0.0);
-    if (facing_o > LIT(0.0) && facing_i > LIT(0.0) && hz > LIT(1.0e-6) * (abs(hx) + abs(hy))) {
+    if (facing_i > LIT(0.0) && hz > LIT(1.0e-6) * (abs(hx) + abs(hy))) {
         Real lambda_i = LIT(0.0);
         Real g1 = LIT(0.0);
         scree_masking(wix, wiy, wiz, ms, mt, rss, cst, rtt, LIT(0.0), lambda_i, g1);
-        Real area = scree_projected_area(wox, woy, woz, ms, mt, rss, cst, rtt, LIT(0.0));
+        Real seen = scree_projected_area(wox, woy, woz, ms, mt, rss, cst, rtt, LIT(0.0));
         Real s = -hx / hz;
         Real t = -hy / hz;
         Real per_cos2 = LIT(1.0) + s * s + t * t;
-        result = scree_slope_pdf(s, t, ms, mt, rss, cst, rtt) * (per_cos2 * per_cos2) /
-                 (LIT(4.0) * (area + facing_o * lambda_i));
+        Real d = scree_slope_pdf(s, t, ms, mt, rss, cst, rtt) * (per_cos2 * per_cos2);
+        Real share = LIT(4.0) * (seen + facing_o * lambda_i);
+        result = share > LIT(1.0e-24) ? min(d / share, LIT(1.0e30)) : LIT(0.0);
     }
     return result;
 }
@@ -760,12 +777,16 @@ SCREE_FUNCTION Real scree_mean_cosine(Real ms, Real mt, Real css, Real cst, Real
 /// with the light's projected area is the same step as weighting with the viewer's, so
 /// E_vis[...] = N_i of those slopes, times the mean cosine of the slopes seen and lit.
 ///
+/// wo, wi   to viewer and light, above the texture plane
 /// tau      weight of K0 for what the viewer sees
 /// returns  in [0, 1]
-/// error    below 0.02 for sigma up to 0.6 and angles up to 85 degrees
-///          [tests/kernel/reflection_test.cpp]
+/// error    absolute, angles to 85 degrees, sigma to 0.6: below 0.02 for tau 0, 0.05 for tau 1
+///          [tests/kernel/reflection_test.cpp]; growing with sigma
 /// source   the integral of LEADR mapping (Dupuy et al. 2013); closed form derived in
 ///          docs/filtering.md
+/// not modelled: the Gaussian of the visible slopes is the viewer's, so view and light cannot
+/// change
+///          places exactly
 SCREE_FUNCTION Real scree_diffuse(Real wox, Real woy, Real woz, Real wix, Real wiy, Real wiz,
                                   Real ms, Real mt, Real css, Real cst, Real ctt, Real tau)
 {

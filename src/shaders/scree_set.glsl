@@ -106,7 +106,8 @@ vec3 scree_visible_normal(vec3 w, ScreeFootprint f)
 }
 
 /// Beckmann roughness: alpha along and across the direction of most spread, and that direction's
-/// angle from +s towards +t. For a renderer with a BRDF of its own.
+/// angle from +s towards +t. For a renderer with a BRDF of its own; the slopes are those over the
+/// texture plane, which around a steep mean normal makes the lobe too wide along the tilt.
 vec3 scree_roughness(ScreeFootprint f, float base_alpha)
 {
     vec3 alpha = vec3(0.0);
@@ -118,7 +119,7 @@ vec3 scree_roughness(ScreeFootprint f, float base_alpha)
 /// Radiance to the viewer under one directional light: color diffuse / pi + Fresnel specular,
 /// times the irradiance.
 ///
-/// wo, wi      to viewer and light
+/// wo, wi      to viewer and light; black where the light is below the texture plane
 /// color       of the diffuse part, such as scree_visible_color
 /// f0          reflectance of a facet seen straight on
 /// irradiance  on a plane that faces the light
@@ -133,6 +134,8 @@ vec3 scree_radiance(vec3 wo, vec3 wi, ScreeFootprint f, vec3 color, vec3 f0, flo
     float specular =
         scree_specular(wo.x, wo.y, wo.z, wi.x, wi.y, wi.z, f.mean.x, f.mean.y, f.covariance.x,
                        f.covariance.y, f.covariance.z, base_alpha);
+    if (wi.z <= 0.0)
+        return vec3(0.0);
     float away = 1.0 - sqrt(max(0.5 + 0.5 * dot(wo, wi), 0.0));
     vec3 fresnel = f0 + (1.0 - f0) * (away * away * away * away * away);
     return (color * (0.318309886183790672 * diffuse) + fresnel * specular) * irradiance;

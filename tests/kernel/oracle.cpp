@@ -196,7 +196,7 @@ Real specular(const KernelCase& row)
     o.ctt += base * base / 2;
     Setting<Real> i = o;
     i.wx = row.in[kWix], i.wy = row.in[kWiy], i.wz = row.in[kWiz];
-    if (o.facing() <= 0 || i.facing() <= 0)
+    if (i.facing() <= 0)
         return 0;
     const Real hz = o.wz + i.wz, s = -(o.wx + i.wx) / hz, t = -(o.wy + i.wy) / hz;
     const Real ds = s - o.ms, dt = t - o.mt, det = o.css * o.ctt - o.cst * o.cst;
@@ -204,7 +204,8 @@ Real specular(const KernelCase& row)
     const Real pdf = exp(-q / 2) / (2 * kPi<Real> * sqrt(det));
     const Real lambda_i = smith_lambda<Real>(i.facing(), gaussian_moments(from_below(i)).area);
     const Real jacobian = 1 + s * s + t * t;
-    return pdf * jacobian * jacobian / (4 * (gaussian_moments(o).area + o.facing() * lambda_i));
+    const Real seen = gaussian_moments(o).area + std::max<Real>(o.facing(), 0) * lambda_i;
+    return 4 * seen > Real(1e-24) ? Real(pdf * jacobian * jacobian / (4 * seen)) : Real(0);
 }
 
 template <typename Real>
@@ -341,8 +342,9 @@ void take_exponent(const KernelCase& row, double exponent, Outputs<double>& outp
     outputs[kHeightMean] = seen.mean;
     outputs[kHeightVariance] = seen.variance;
 
-    const double sigma = std::sqrt(std::max(hh - h * h, 2.4e-7 * hh));
-    const double pull = sigma > 0 ? (row.in[kCh] - c * h) / sigma : 0;
+    const double variance = std::max(hh - h * h, 0.0), sigma = std::sqrt(variance);
+    const double fading = variance > 0 ? 1 / (1 + std::pow(hh / 1024 / variance, 2)) : 0;
+    const double pull = variance > 0 ? (row.in[kCh] - c * h) / sigma * fading : 0;
     outputs[kByHeight] = std::max(0.0, c + pull * seen.mean);
 
     double color = c, term = 1;

@@ -333,8 +333,8 @@ double unit_of(int output, const KernelCase& row, const Outputs<double>& want)
 }
 
 /// Below it an output may be any smaller number, 0 too: the type's smallest normal number; for the
-/// highlight 2^-118 (2^-1000), where the kernel's exp ends, times the 1e5 that a narrow lobe has
-/// at its peak.
+/// highlight what 2^-118 (2^-1000), where the kernel's exp ends, is worth over a small visible
+/// area.
 template <typename Real>
 double floor_of(int output)
 {
@@ -345,7 +345,7 @@ double floor_of(int output)
     case kLambda:
         return 1.03 * smallest;
     case kSpecular:
-        return sizeof(Real) == 4 ? 1e-30 : 1e-290;
+        return sizeof(Real) == 4 ? 1e-20 : 1e-280;
     default:
         return 0;
     }
