@@ -51,8 +51,8 @@ string scree_file(string folder, string name, string map)
 color scree_lookup(string file, float s, float t, int first, output float fourth)
 {
     string problem = "";
-    color three = texture(file, s, t, "firstchannel", first, "alpha", fourth, "errormessage",
-                          problem);
+    color three =
+        texture(file, s, t, "firstchannel", first, "alpha", fourth, "errormessage", problem);
     if (problem != "")
         error("%s: %s; bake the set with this map, or mend folder and name", file, problem);
     return three;
@@ -111,9 +111,9 @@ color scree_visible_color(string folder, string name, float s, float t, float he
         color ct = height_scale * color(last[1], gt, first[1]);
         float pull = scree_slope_pull(w[0], w[1], w[2], f.s, f.t, f.css, f.cst, f.ctt, f.tau);
         for (int i = 0; i < 3; ++i)
-            result[i] = max(0.0, result[i] - c[i] +
-                                     scree_color_by_slope(c[i], cs[i], ct[i], f.s, f.t, w[0],
-                                                          w[1], pull));
+            result[i] =
+                max(0.0, result[i] - c[i] +
+                             scree_color_by_slope(c[i], cs[i], ct[i], f.s, f.t, w[0], w[1], pull));
     }
     return result;
 }
