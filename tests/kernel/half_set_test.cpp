@@ -8,29 +8,13 @@
 
 #include "kernel/filter.h"
 #include "pipeline/bake.h"
-#include "sample/field.h"
 #include "support/files.h"
-#include "support/memory_source.h"
+#include "support/sample_source.h"
 
 namespace scree::test {
 namespace {
 
 using Imath::V3f;
-
-MemorySource sample_source(const std::string& kind, int size)
-{
-    const auto field = make_sample(kind, size, size);
-    MemorySource source;
-    source.map_width = source.map_height = size;
-    std::vector<float> heights(static_cast<size_t>(size)), rgb(3 * heights.size());
-    for (int y = 0; y < size; ++y) {
-        field->row(y, heights.data(), rgb.data());
-        source.heights.insert(source.heights.end(), heights.begin(), heights.end());
-        for (size_t x = 0; x < heights.size(); ++x)
-            source.colors.push_back({rgb[3 * x], rgb[3 * x + 1], rgb[3 * x + 2]});
-    }
-    return source;
-}
 
 struct Maps {
     std::vector<Image> height, color, colorheight;
@@ -39,7 +23,7 @@ struct Maps {
 Maps bake_as(const std::string& kind, PixelTypeChoice type)
 {
     TempFolder temp;
-    MemorySource source = sample_source(kind, 256);
+    MemorySource source = sample_source(*make_sample(kind, 256, 256), 256, 256);
     BakeOptions options;
     options.output = temp / "set";
     options.pixel_type = type;

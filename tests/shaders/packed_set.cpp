@@ -6,8 +6,7 @@
 #include <array>
 
 #include "pipeline/bake.h"
-#include "sample/field.h"
-#include "support/memory_source.h"
+#include "support/sample_source.h"
 
 namespace scree::test {
 
@@ -39,16 +38,7 @@ std::vector<Image> packed(const std::array<From, 4>& channels)
 SampleSet bake_sample(const std::string& kind, int width, int height)
 {
     const auto field = make_sample(kind, width, height);
-    MemorySource source;
-    source.map_width = width;
-    source.map_height = height;
-    std::vector<float> heights(static_cast<size_t>(width)), rgb(3 * heights.size());
-    for (int y = 0; y < height; ++y) {
-        field->row(y, heights.data(), rgb.data());
-        source.heights.insert(source.heights.end(), heights.begin(), heights.end());
-        for (size_t x = 0; x < heights.size(); ++x)
-            source.colors.push_back({rgb[3 * x], rgb[3 * x + 1], rgb[3 * x + 2]});
-    }
+    MemorySource source = sample_source(*field, width, height);
     TempFolder temp;
     BakeOptions options;
     options.output = temp / "set";
