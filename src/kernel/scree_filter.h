@@ -319,10 +319,7 @@ SCREE_FUNCTION void scree_mixture_view(Real z, Real tau, OUT(Real, tail), OUT(Re
     scree_gaussian_view(z, tail, shift, narrowing);
     widening = LIT(1.0);
     if (tau > LIT(0.0)) {
-        Real k0_tail = LIT(0.0);
-        Real k0_shift = LIT(0.0);
-        Real k0_narrowing = LIT(0.0);
-        Real k0_widening = LIT(0.0);
+        Real k0_tail, k0_shift, k0_narrowing, k0_widening;
         scree_k0_view(z, k0_tail, k0_shift, k0_narrowing, k0_widening);
         Real facing = max(z, LIT(0.0));
         Real weight = min(tau, LIT(1.0));
@@ -360,17 +357,7 @@ SCREE_FUNCTION void scree_view(Real wx, Real wy, Real wz, Real ms, Real mt, Real
 SCREE_FUNCTION Real scree_projected_area(Real wx, Real wy, Real wz, Real ms, Real mt, Real css,
                                          Real cst, Real ctt, Real tau)
 {
-    Real a = LIT(0.0);
-    Real z = LIT(0.0);
-    Real b = LIT(0.0);
-    Real per_b = LIT(0.0);
-    Real us = LIT(0.0);
-    Real ut = LIT(0.0);
-    Real det = LIT(0.0);
-    Real tail = LIT(0.0);
-    Real shift = LIT(0.0);
-    Real narrowing = LIT(0.0);
-    Real widening = LIT(0.0);
+    Real a, z, b, per_b, us, ut, det, tail, shift, narrowing, widening;
     scree_view(wx, wy, wz, ms, mt, css, cst, ctt, tau, a, z, b, per_b, us, ut, det, tail, shift,
                narrowing, widening);
     return max(a, LIT(0.0)) + b * tail;
@@ -389,17 +376,7 @@ SCREE_FUNCTION Real scree_projected_area(Real wx, Real wy, Real wz, Real ms, Rea
 SCREE_FUNCTION void scree_masking(Real wx, Real wy, Real wz, Real ms, Real mt, Real css, Real cst,
                                   Real ctt, Real tau, OUT(Real, lambda), OUT(Real, g1))
 {
-    Real a = LIT(0.0);
-    Real z = LIT(0.0);
-    Real b = LIT(0.0);
-    Real per_b = LIT(0.0);
-    Real us = LIT(0.0);
-    Real ut = LIT(0.0);
-    Real det = LIT(0.0);
-    Real tail = LIT(0.0);
-    Real shift = LIT(0.0);
-    Real narrowing = LIT(0.0);
-    Real widening = LIT(0.0);
+    Real a, z, b, per_b, us, ut, det, tail, shift, narrowing, widening;
     scree_view(wx, wy, wz, ms, mt, css, cst, ctt, tau, a, z, b, per_b, us, ut, det, tail, shift,
                narrowing, widening);
     Real safe = max(z, LIT(1.0e-30));
@@ -428,30 +405,18 @@ SCREE_FUNCTION Real scree_g2(Real lambda_o, Real lambda_i)
 /// area           N, as scree_projected_area
 /// vs, vt         m_vis
 /// vss, vst, vtt  C_vis, positive semi-definite as the numbers stand: vst^2 <= vss vtt exactly
-/// limits         b = 0 (flat, or a viewer straight above): m and C unchanged. z -> -inf: the
-/// facets
-///                on the plane wz = w . slope nearest the mean, narrow along the view.
+/// limits         b = 0 (flat, or a viewer straight above): m and C unchanged. z -> -inf: facets on
+///                the plane wz = w . slope nearest the mean, narrow along the view.
 /// error          single precision, |z| <= 40, ratio of sigmas to 1e4 with correlation to 0.9999:
 ///                1e-4 of N, of sigma, of trace(C_vis) [tests/kernel/visible_slopes_test.cpp]
-/// source         moments of D_s in Heitz et al. 2014, section 4, as one rank-one update; derived
-/// in
+/// source         moments of D_s in Heitz et al. 2014, section 4, as one rank-one update; see
 ///                docs/filtering.md
 SCREE_FUNCTION void scree_visible_slopes(Real wx, Real wy, Real wz, Real ms, Real mt, Real css,
                                          Real cst, Real ctt, Real tau, OUT(Real, area),
                                          OUT(Real, vs), OUT(Real, vt), OUT(Real, vss),
                                          OUT(Real, vst), OUT(Real, vtt))
 {
-    Real a = LIT(0.0);
-    Real z = LIT(0.0);
-    Real b = LIT(0.0);
-    Real per_b = LIT(0.0);
-    Real us = LIT(0.0);
-    Real ut = LIT(0.0);
-    Real det = LIT(0.0);
-    Real tail = LIT(0.0);
-    Real shift = LIT(0.0);
-    Real narrowing = LIT(0.0);
-    Real widening = LIT(0.0);
+    Real a, z, b, per_b, us, ut, det, tail, shift, narrowing, widening;
     scree_view(wx, wy, wz, ms, mt, css, cst, ctt, tau, a, z, b, per_b, us, ut, det, tail, shift,
                narrowing, widening);
     area = max(a, LIT(0.0)) + b * tail;
@@ -604,10 +569,7 @@ SCREE_FUNCTION void scree_color_map_coordinates(Real mean, Real deviation, Real 
 SCREE_FUNCTION void scree_slope_along(Real ds, Real dt, Real ms, Real mt, Real css, Real cst,
                                       Real ctt, OUT(Real, mean), OUT(Real, deviation))
 {
-    Real per_deviation = LIT(0.0);
-    Real us = LIT(0.0);
-    Real ut = LIT(0.0);
-    Real det = LIT(0.0);
+    Real per_deviation, us, ut, det;
     mean = ds * ms + dt * mt;
     scree_spread(ds, dt, css, cst, ctt, deviation, per_deviation, us, ut, det);
 }
@@ -625,15 +587,7 @@ SCREE_FUNCTION void scree_slope_along(Real ds, Real dt, Real ms, Real mt, Real c
 SCREE_FUNCTION Real scree_slope_pull(Real wx, Real wy, Real wz, Real ms, Real mt, Real css,
                                      Real cst, Real ctt, Real tau)
 {
-    Real b = LIT(0.0);
-    Real per_b = LIT(0.0);
-    Real us = LIT(0.0);
-    Real ut = LIT(0.0);
-    Real det = LIT(0.0);
-    Real tail = LIT(0.0);
-    Real shift = LIT(0.0);
-    Real narrowing = LIT(0.0);
-    Real widening = LIT(0.0);
+    Real b, per_b, us, ut, det, tail, shift, narrowing, widening;
     scree_spread(wx, wy, css, cst, ctt, b, per_b, us, ut, det);
     Real facing = max(scree_facing(wx, wy, wz, ms, mt), LIT(0.0));
     scree_mixture_view(facing * per_b, tau, tail, shift, narrowing, widening);
@@ -785,29 +739,16 @@ SCREE_FUNCTION Real scree_mean_cosine(Real ms, Real mt, Real css, Real cst, Real
 /// source   the integral of LEADR mapping (Dupuy et al. 2013); closed form derived in
 ///          docs/filtering.md
 /// not modelled: the Gaussian of the visible slopes is the viewer's, so view and light cannot
-/// change
-///          places exactly
+///          change places exactly
 SCREE_FUNCTION Real scree_diffuse(Real wox, Real woy, Real woz, Real wix, Real wiy, Real wiz,
                                   Real ms, Real mt, Real css, Real cst, Real ctt, Real tau)
 {
-    Real area = LIT(0.0);
-    Real vs = LIT(0.0);
-    Real vt = LIT(0.0);
-    Real vss = LIT(0.0);
-    Real vst = LIT(0.0);
-    Real vtt = LIT(0.0);
+    Real area, vs, vt, vss, vst, vtt;
     scree_visible_slopes(wox, woy, woz, ms, mt, css, cst, ctt, tau, area, vs, vt, vss, vst, vtt);
-    Real lit = LIT(0.0);
-    Real ls = LIT(0.0);
-    Real lt = LIT(0.0);
-    Real lss = LIT(0.0);
-    Real lst = LIT(0.0);
-    Real ltt = LIT(0.0);
+    Real lit, ls, lt, lss, lst, ltt;
     scree_visible_slopes(wix, wiy, wiz, vs, vt, vss, vst, vtt, LIT(0.0), lit, ls, lt, lss, lst,
                          ltt);
-    Real lambda_o = LIT(0.0);
-    Real lambda_i = LIT(0.0);
-    Real g1 = LIT(0.0);
+    Real lambda_o, lambda_i, g1;
     scree_masking(wox, woy, woz, ms, mt, css, cst, ctt, tau, lambda_o, g1);
     scree_masking(wix, wiy, wiz, ms, mt, css, cst, ctt, tau, lambda_i, g1);
     Real shadowing = (LIT(1.0) + lambda_o) * scree_g2(lambda_o, lambda_i);

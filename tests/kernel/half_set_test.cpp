@@ -48,7 +48,7 @@ V3f color_at(const Maps& maps, size_t level, int x, int y, float exponent)
 }
 
 // The shift fades out where half the variance may be rounding. What is left of rounding there is up
-// to 2^-6 of the color times mu(L), 1.9 at exponent 20; without the fading it was 11 at worst.
+// to 2^-6 of the color times mu(L), 1.9 at exponent 20.
 TEST(HalfSet, ShowsTheColorsOfTheFloatSet)
 {
     for (const char* kind : {"fractal", "bricks"}) {
