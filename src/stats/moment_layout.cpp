@@ -46,13 +46,13 @@ MomentLayout::MomentLayout(const MomentSet& set)
     }
     if (set.height)
         height_var = covariance(height, height);
-    if (set.color && set.color_height) {
+    if (set.color && (set.color_height || set.color_slope)) {
         color_var = covariance(color, color);
         covariance(color + 1, color + 1);
         covariance(color + 2, color + 2);
-        if (set.height)
-            color_height = color_covariance(height);
     }
+    if (set.color && set.color_height && set.height)
+        color_height = color_covariance(height);
     if (set.color && set.color_slope && set.slope) {
         color_slope_s = color_covariance(slope_s);
         color_slope_t = color_covariance(slope_t);
@@ -60,6 +60,12 @@ MomentLayout::MomentLayout(const MomentSet& set)
     if (set.slope && set.tail) {
         slope_tail = planes;
         planes += kTailPlanes;
+    }
+    merged_planes = planes;
+    if (set.rank_terms > 0 && set.color && set.height) {
+        rank_terms = set.rank_terms;
+        rank = planes;
+        planes += 3 * rank_terms;
     }
 }
 

@@ -12,7 +12,8 @@ struct MomentSet {
     bool height = false;       ///< mean and variance of the normalised height
     bool color = false;        ///< mean color
     bool color_height = false; ///< variance of color, its covariance with height (needs both)
-    bool color_slope = false;  ///< its covariance with the slope (needs both)
+    bool color_slope = false;  ///< variance of color, its covariance with the slope (needs both)
+    int rank_terms = 0;        ///< coefficients of the color by height rank (needs color, height)
 };
 
 /// Where each statistic of a footprint lies among the planes of a row.
@@ -31,7 +32,8 @@ struct MomentLayout {
     explicit MomentLayout(const MomentSet& set);
 
     int planes = 1;
-    static constexpr int kMaxPlanes = 32;
+    int merged_planes = 1; ///< the first ones, which merge() makes; ranks are merged elsewhere
+    static constexpr int kMaxMergedPlanes = 32;
     static constexpr int weight = 0; ///< coverage in [0, 1]; 0 is no data
 
     int slope_s = -1, slope_t = -1;
@@ -45,6 +47,9 @@ struct MomentLayout {
     int color = -1;                             ///< R G B, consecutive
     int color_var = -1, color_height = -1;      ///< R G B, consecutive
     int color_slope_s = -1, color_slope_t = -1; ///< R G B, consecutive
+
+    int rank = -1;      ///< a_1 of R G B, a_2 of R G B, ... (stats/ranks.h), consecutive
+    int rank_terms = 0; ///< how many of them
 
     std::vector<int> means;              ///< planes of the means
     std::vector<Covariance> covariances; ///< all second central moments

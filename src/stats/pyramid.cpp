@@ -41,7 +41,7 @@ namespace {
 /// Texels index[0], index[1], ... of `row`, side by side.
 void gather(const MomentLayout& layout, MomentRow row, const int* index, MomentRow out, int count)
 {
-    for (int plane = 0; plane < layout.planes; ++plane) {
+    for (int plane = 0; plane < layout.merged_planes; ++plane) {
         const double* from = row.plane(plane);
         double* to = out.plane(plane);
         for (int x = 0; x < count; ++x)
@@ -56,7 +56,7 @@ void Reduction::row(const MomentRow* fine_rows, const Share& rows, int x0, int x
 {
     // Rows first (contiguous), then columns (gathered), in runs short enough for the cache.
     constexpr int kRun = kMergeRun / 3; // coarse texels, so that 3 kRun fine ones fit a run
-    constexpr int kMaxPlanes = MomentLayout::kMaxPlanes;
+    constexpr int kMaxPlanes = MomentLayout::kMaxMergedPlanes;
     static_assert(3 * kRun <= kMergeRun);
     double merged_data[kMaxPlanes * kMergeRun]; // the fine texels of the run, rows merged
     double part_data[3][kMaxPlanes * kRun];
