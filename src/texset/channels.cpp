@@ -26,6 +26,12 @@ const std::vector<MapInfo>& map_table()
          "colorslope",
          {"Bs", "Bt", "Gs", "Gt", "Rs", "Rt"},
          "E[c s] and E[c t], color times slope, per color channel"},
+        {Map::rank, "rank", rank_channels(kDefaultRankTerms),
+         "color by height rank q in the footprint: a_n = (2n+1) E[c P_n(2q-1)], per color channel"},
+        {Map::map,
+         "map",
+         {"R", "G", "B"},
+         "color map averaged over a normal law: columns mean, rows sqrt of the deviation"},
         {Map::tail, "tail", {"tau"}, "weight of the K0 slope distribution, 0 Gaussian to 1 K0"},
         {Map::coverage, "coverage", {"w"}, "share of the texel's footprint that has data"},
         {Map::bumpslopes,
@@ -34,6 +40,15 @@ const std::vector<MapInfo>& map_table()
          "height and raw moments of the slope, laid out as maketx --bumpslopes does"},
     };
     return table;
+}
+
+std::vector<std::string> rank_channels(int terms)
+{
+    std::vector<std::string> names;
+    for (const char* color : {"B", "G", "R"})
+        for (int n = 1; n <= terms; ++n)
+            names.push_back(color + std::to_string(n));
+    return names;
 }
 
 const MapInfo& map_info(Map map)

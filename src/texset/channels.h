@@ -6,13 +6,25 @@
 namespace scree {
 
 /// The textures of a set.
-enum class Map { slope, height, color, colorheight, colorslope, tail, coverage, bumpslopes };
+enum class Map {
+    slope,
+    height,
+    color,
+    colorheight,
+    colorslope,
+    rank,
+    map,
+    tail,
+    coverage,
+    bumpslopes
+};
 
 /// One texture of a set: what its file is called and what its channels hold.
 struct MapInfo {
     Map map;
     std::string name;                  ///< file is NAME.<name>.exr
-    std::vector<std::string> channels; ///< in the order an OpenImageIO reader sees them
+    std::vector<std::string> channels; ///< in the order an OpenImageIO reader sees them; of the
+                                       ///< rank table with the default number of terms
     std::string meaning;               ///< one line, written into the file and the manifest
 };
 
@@ -23,6 +35,13 @@ struct MapInfo {
 const std::vector<MapInfo>& map_table();
 
 const MapInfo& map_info(Map map);
+
+/// Channels of a rank table: B1 B2 ... BK G1 ... GK R1 ... RK, as they sort.
+///
+/// terms  1 to 8
+std::vector<std::string> rank_channels(int terms);
+
+constexpr int kDefaultRankTerms = 4;
 
 /// The texture of that name.
 /// Throws Error naming the known ones when there is none. `bumpslopes` and `coverage` are not

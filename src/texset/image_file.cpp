@@ -10,12 +10,33 @@
 
 namespace scree {
 
+namespace {
+
+void set(OIIO::ImageSpec& spec, const std::string& name, const std::string& value)
+{
+    spec.attribute(name, value);
+}
+
+void set(OIIO::ImageSpec& spec, const std::string& name, int value) { spec.attribute(name, value); }
+
+void set(OIIO::ImageSpec& spec, const std::string& name, float value)
+{
+    spec.attribute(name, value);
+}
+
+void set(OIIO::ImageSpec& spec, const std::string& name, double value)
+{
+    spec.attribute(name, OIIO::TypeDesc::DOUBLE, &value);
+}
+
+} // namespace
+
 struct ImageFile::Output {
     std::unique_ptr<OIIO::ImageOutput> file;
 };
 
 ImageFile::ImageFile(std::filesystem::path path, int width, int height,
-                     const std::vector<std::string>& channels)
+                     const std::vector<std::string>& channels, const Attributes& attributes)
     : path_(std::move(path)),
       partial_(path_.parent_path() /
                fmt::format(".{}.scree-{}.exr", path_.filename().string(), getpid())),
@@ -24,6 +45,9 @@ ImageFile::ImageFile(std::filesystem::path path, int width, int height,
     OIIO::ImageSpec spec(width, height, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT);
     spec.channelnames = channels;
     spec.attribute("compression", "zip");
+    for (const auto& attribute : attributes)
+        std::visit([&spec, &name = attribute.first](const auto& value) { set(spec, name, value); },
+                   attribute.second);
     output_->file = OIIO::ImageOutput::create(partial_.string());
     if (!output_->file)
         throw Error(fmt::format("{}: cannot be written: {}", path_.string(), OIIO::geterror()));

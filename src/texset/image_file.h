@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "texset/attributes.h"
+
 namespace scree {
 
 /// Writes a plain scan-line float OpenEXR image, row by row.
@@ -14,7 +16,7 @@ namespace scree {
 class ImageFile {
 public:
     ImageFile(std::filesystem::path path, int width, int height,
-              const std::vector<std::string>& channels);
+              const std::vector<std::string>& channels, const Attributes& attributes = {});
     ~ImageFile();
     ImageFile(const ImageFile&) = delete;
     ImageFile& operator=(const ImageFile&) = delete;

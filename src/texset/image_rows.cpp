@@ -2,15 +2,16 @@
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <system_error>
+#include <utility>
 
 #include "math/error.h"
+#include "texset/readable.h"
+#include "texset/stated_color.h"
 
 namespace scree {
 
@@ -44,22 +45,6 @@ std::string reason(std::string words)
         words.pop_back();
     std::replace(words.begin(), words.end(), '\n', ' ');
     return words.empty() ? "unknown reason" : words;
-}
-
-void expect_readable(const fs::path& path)
-{
-    std::error_code failed;
-    const auto status = fs::status(path, failed);
-    if (status.type() == fs::file_type::not_found)
-        throw Error(fmt::format("{}: no such file", path.string()));
-    if (failed)
-        throw Error(fmt::format("{}: {}", path.string(), failed.message()));
-    if (fs::is_directory(status))
-        throw Error(fmt::format("{}: is a folder, expected an image", path.string()));
-    if (fs::is_regular_file(status) && fs::file_size(path) == 0)
-        throw Error(fmt::format("{}: the file is empty", path.string()));
-    if (access(path.c_str(), R_OK) != 0)
-        throw Error(fmt::format("{}: {}", path.string(), std::strerror(errno)));
 }
 
 void expect_sane(const OIIO::ImageSpec& spec, const fs::path& path)
@@ -109,7 +94,34 @@ int bits_of_integer(const OIIO::TypeDesc& type)
 /// itself, several at a time, and gives whatever is in memory; read singly it reports them.
 bool is_tiff(const OIIO::ImageInput& file) { return std::string(file.format_name()) == "tiff"; }
 
-ImageInfo info_of(const OIIO::ImageSpec& spec, const fs::path& path)
+/// Whether color is multiplied by alpha in what OpenImageIO gives. Where the format fixes it,
+/// OpenImageIO 2.4 leaves "oiio:UnassociatedAlpha" out although it hands straight color on.
+bool is_premultiplied(const OIIO::ImageSpec& spec, const std::string& format)
+{
+    if (spec.alpha_channel < 0 || spec.get_int_attribute("oiio:UnassociatedAlpha", 0) != 0)
+        return false;
+    if (format == "targa") {
+        constexpr int kPremultiplied = 4; // attributes type of the TGA 2.0 extension area
+        return spec.get_int_attribute("targa:alpha_type") == kPremultiplied;
+    }
+    const auto straight = {"bmp", "dds", "ico", "jpeg2000"};
+    return std::find(straight.begin(), straight.end(), format) == straight.end();
+}
+
+ColorHeader color_header(const OIIO::ImageSpec& spec)
+{
+    ColorHeader header;
+    header.space = spec.get_string_attribute("oiio:ColorSpace");
+    if (spec.find_attribute("ICCProfile") != nullptr)
+        header.icc_profile = spec.get_string_attribute("ICCProfile:profile_description");
+    std::array<float, 8> xy{};
+    if (spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), xy.data()))
+        header.chromaticities = xy;
+    header.aces_container = spec.get_int_attribute("acesImageContainerFlag") == 1;
+    return header;
+}
+
+ImageInfo info_of(const OIIO::ImageSpec& spec, const std::string& format, const fs::path& path)
 {
     ImageInfo info;
     info.path = path.string();
@@ -123,9 +135,10 @@ ImageInfo info_of(const OIIO::ImageSpec& spec, const fs::path& path)
         info.integer_bits = std::min(info.integer_bits, std::max(1, file_bits));
     }
     info.alpha_channel = spec.alpha_channel;
-    info.premultiplied =
-        spec.alpha_channel >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
-    info.color_space = spec.get_string_attribute("oiio:ColorSpace");
+    info.premultiplied = is_premultiplied(spec, format);
+    StatedColor color = stated_color(color_header(spec));
+    info.color_space = std::move(color.space);
+    info.color_fallback = std::move(color.fallback);
     if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
         spec.height != spec.full_height)
         info.notes.push_back(fmt::format(
@@ -145,7 +158,7 @@ struct ImageRows::Input {
 
 ImageRows::ImageRows(const fs::path& path) : input_(std::make_unique<Input>())
 {
-    expect_readable(path);
+    expect_readable(path, "an image");
     OIIO::ImageSpec keep_unassociated;
     keep_unassociated.attribute("oiio:UnassociatedAlpha", 1);
     input_->file = OIIO::ImageInput::open(path.string(), &keep_unassociated);
@@ -156,7 +169,7 @@ ImageRows::ImageRows(const fs::path& path) : input_(std::make_unique<Input>())
     expect_sane(input_->spec, path);
     if (is_tiff(*input_->file))
         input_->file->threads(1);
-    info_ = info_of(input_->spec, path);
+    info_ = info_of(input_->spec, input_->file->format_name(), path);
     if (input_->file->seek_subimage(1, 0))
         info_.notes.push_back(
             fmt::format("{}: has several parts; the first is baked", path.string()));

@@ -16,7 +16,8 @@ struct ImageInfo {
     int integer_bits = 0;           ///< 8, 16, 32 for integers, 0 for floating point
     int alpha_channel = -1;         ///< index, -1 without
     bool premultiplied = false;     ///< color is multiplied by alpha in the file
-    std::string color_space;        ///< as the file's metadata name it, or empty
+    std::string color_space;        ///< as the header states it (stated_color()), or empty
+    std::string color_fallback;     ///< to go by where an OCIO config does not know color_space
     std::vector<std::string> notes; ///< what a user should know: windows that differ, other parts
 };
 

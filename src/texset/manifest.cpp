@@ -56,10 +56,10 @@ Json texture_to_json(const TextureRecord& texture, const Manifest& manifest)
     const MapInfo& info = map_info(texture.map);
     Json json = {{"map", info.name},
                  {"file", texture.file},
-                 {"channels", info.channels},
+                 {"channels", texture.channels},
                  {"meaning", info.meaning},
                  {"pixel_type", pixel_type_name(texture.type)},
-                 {"levels", manifest.levels.size()}};
+                 {"levels", texture.map == Map::map ? 1 : manifest.levels.size()}};
     put(json, "half_error", texture.half_error);
     put(json, "float_error", texture.float_error);
     return json;
@@ -78,10 +78,117 @@ TextureRecord texture_from_json(const Json& json)
     if (!known)
         throw Error("unknown map '" + name + "'");
     texture.file = json.at("file");
+    texture.channels = json.at("channels").get<std::vector<std::string>>();
     texture.type = json.at("pixel_type") == "half" ? PixelType::half : PixelType::float32;
     get(json, "half_error", texture.half_error);
     get(json, "float_error", texture.float_error);
     return texture;
+}
+
+Json table_to_json(const MapTableRecord& table)
+{
+    Json json = {{"columns", table.columns},
+                 {"rows", table.rows},
+                 {"mean_range", {table.low, table.high}},
+                 {"widest_deviation", table.widest},
+                 {"row_spacing", "row i of n holds the deviation widest (i / (n - 1))^2"},
+                 {"tolerance", table.tolerance},
+                 {"rms_error", table.rms_error},
+                 {"largest_error", table.largest_error}};
+    put(json, "shortcut_rms", table.shortcut_rms);
+    put(json, "shortcut_largest", table.shortcut_largest);
+    return json;
+}
+
+MapTableRecord table_from_json(const Json& json)
+{
+    MapTableRecord table;
+    table.columns = json.at("columns");
+    table.rows = json.at("rows");
+    table.low = json.at("mean_range").at(0);
+    table.high = json.at("mean_range").at(1);
+    table.widest = json.at("widest_deviation");
+    table.tolerance = json.at("tolerance");
+    table.rms_error = json.at("rms_error");
+    table.largest_error = json.at("largest_error");
+    get(json, "shortcut_rms", table.shortcut_rms);
+    get(json, "shortcut_largest", table.shortcut_largest);
+    return table;
+}
+
+Json color_map_to_json(const ColorMapRecord& map)
+{
+    Json json = {{"by", map.by}, {"range", {map.first, map.last}}};
+    if (map.by == "slope")
+        json["azimuth_deg"] = map.azimuth_deg;
+    if (map.table)
+        json["table"] = table_to_json(*map.table);
+    return json;
+}
+
+ColorMapRecord color_map_from_json(const Json& json)
+{
+    ColorMapRecord map;
+    map.by = json.at("by");
+    map.first = json.at("range").at(0);
+    map.last = json.at("range").at(1);
+    map.azimuth_deg = json.value("azimuth_deg", 0.0);
+    if (json.contains("table"))
+        map.table = table_from_json(json.at("table"));
+    return map;
+}
+
+Json choice_to_json(const ModelChoice& choice)
+{
+    Json json = {{"max_view_angle_deg", choice.max_view_angle_deg},
+                 {"tolerance", choice.tolerance},
+                 {"models", Json::array()}};
+    for (const ModelRecord& model : choice.models)
+        json["models"].push_back({{"model", model.model},
+                                  {"channels", model.channels},
+                                  {"error", model.error},
+                                  {"chosen", model.chosen}});
+    return json;
+}
+
+ModelChoice choice_from_json(const Json& json)
+{
+    ModelChoice choice;
+    choice.max_view_angle_deg = json.at("max_view_angle_deg");
+    choice.tolerance = json.at("tolerance");
+    for (const auto& model : json.at("models"))
+        choice.models.push_back(
+            {model.at("model"), model.at("channels"), model.at("error"), model.at("chosen")});
+    return choice;
+}
+
+Json fit_to_json(const ColorFit& fit)
+{
+    Json json = {{"sigma", fit.sigma}};
+    put(json, "height_correlation", fit.height_correlation);
+    put(json, "slope_correlation", fit.slope_correlation);
+    put(json, "r2_height", fit.height);
+    put(json, "r2_slope", fit.slope);
+    put(json, "r2_rank1", fit.rank1);
+    put(json, "r2_rank2", fit.rank2);
+    put(json, "r2_rank4", fit.rank4);
+    json["residual"] = fit.residual;
+    return json;
+}
+
+ColorFit fit_from_json(const Json& json)
+{
+    ColorFit fit;
+    fit.sigma = json.at("sigma");
+    get(json, "height_correlation", fit.height_correlation);
+    get(json, "slope_correlation", fit.slope_correlation);
+    get(json, "r2_height", fit.height);
+    get(json, "r2_slope", fit.slope);
+    get(json, "r2_rank1", fit.rank1);
+    get(json, "r2_rank2", fit.rank2);
+    get(json, "r2_rank4", fit.rank4);
+    fit.residual = json.at("residual");
+    return fit;
 }
 
 Json level_to_json(const LevelSummary& level)
@@ -93,8 +200,9 @@ Json level_to_json(const LevelSummary& level)
     put(json, "kurtosis", level.kurtosis);
     put(json, "tau", level.tau);
     put(json, "height_sigma", level.height_sigma);
-    put(json, "color_height_correlation", level.color_height_correlation);
     put(json, "mean_color", level.mean_color);
+    if (level.color_fit)
+        json["color_fit"] = fit_to_json(*level.color_fit);
     return json;
 }
 
@@ -110,8 +218,9 @@ LevelSummary level_from_json(const Json& json)
     get(json, "kurtosis", level.kurtosis);
     get(json, "tau", level.tau);
     get(json, "height_sigma", level.height_sigma);
-    get(json, "color_height_correlation", level.color_height_correlation);
     get(json, "mean_color", level.mean_color);
+    if (json.contains("color_fit"))
+        level.color_fit = fit_from_json(json.at("color_fit"));
     return level;
 }
 
@@ -143,6 +252,10 @@ Json manifest_to_json(const Manifest& m)
         json["working_space"] = m.working_space;
     json["no_data_texels"] = m.no_data_texels;
     json["half_tolerance"] = m.half_tolerance;
+    if (m.color_map)
+        json["color_map"] = color_map_to_json(*m.color_map);
+    if (m.model_choice)
+        json["model_choice"] = choice_to_json(*m.model_choice);
     json["inputs"] = Json::array();
     for (const auto& input : m.inputs)
         json["inputs"].push_back(input_to_json(input));
@@ -192,6 +305,10 @@ Manifest manifest_from_json(const Json& json)
     m.working_space = json.value("working_space", "");
     m.no_data_texels = json.at("no_data_texels");
     m.half_tolerance = json.at("half_tolerance");
+    if (json.contains("color_map"))
+        m.color_map = color_map_from_json(json.at("color_map"));
+    if (json.contains("model_choice"))
+        m.model_choice = choice_from_json(json.at("model_choice"));
     for (const auto& input : json.at("inputs"))
         m.inputs.push_back(input_from_json(input));
     for (const auto& texture : json.at("textures"))

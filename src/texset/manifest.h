@@ -15,7 +15,7 @@ namespace scree {
 
 /// An input file, so that a set says what it was made of.
 struct InputRecord {
-    std::string role;   ///< "height", "normal" or "color"
+    std::string role;   ///< "height", "normal", "color" or "colormap"
     std::string file;   ///< name without folders
     std::string sha256; ///< of its bytes, in hex
     int width = 0, height = 0;
@@ -28,10 +28,48 @@ struct InputRecord {
 struct TextureRecord {
     Map map = Map::slope;
     std::string file;
+    std::vector<std::string> channels; ///< as MapInfo has them; of a rank table as many as it has
     PixelType type = PixelType::float32;
     /// Largest error that storing as half or float causes in what a reader recovers, over all
     /// levels (pipeline/storage_error.h); absent when the type was given instead of measured.
     std::optional<double> half_error, float_error;
+};
+
+/// The table T(mean, deviation) of a color map, NAME.map.exr (color/filtered_map.h).
+///
+/// Means and deviations are in the units a renderer has them in: of normalised height, as
+/// NAME.height.exr, or of slope. Errors are shares of the map's color span.
+struct MapTableRecord {
+    int columns = 1, rows = 1;
+    double low = 0, high = 1; ///< means at the centres of the first and the last column
+    double widest = 1;        ///< deviation at the centre of the last row; 0 at that of the first
+    double tolerance = 0;     ///< asked for, of rms_error
+    double rms_error = 0;     ///< of interpolation, over the means, at the worst deviation
+    double largest_error = 0; ///< of interpolation, at deviations of at least a column's width
+    /// What taking visible heights as normal costs; absent for slopes.
+    std::optional<double> shortcut_rms, shortcut_largest;
+};
+
+/// The color map of a set whose color follows from its heights or slopes.
+struct ColorMapRecord {
+    std::string by;                      ///< "height", "slope" or "slope magnitude"
+    double azimuth_deg = 0;              ///< of "slope": the direction, from +s towards +t
+    double first = 0, last = 1;          ///< ends of the map: world units, or slope
+    std::optional<MapTableRecord> table; ///< absent where it was not asked for
+};
+
+/// How the color inside the texels of a level goes with their heights and slopes; shares are R^2,
+/// explained over all variance, in [0, 1] (pipeline/color_fit.h). Absent: not baked.
+struct ColorFit {
+    double sigma = 0; ///< rms deviation of the color inside texels, scene-linear
+    /// Of R, G, B with height: mean covariance over the root of the product of mean variances.
+    std::optional<std::array<double, 3>> height_correlation;
+    /// Of R, G, B with the slope: multiple correlation, >= 0.
+    std::optional<std::array<double, 3>> slope_correlation;
+    std::optional<double> height;              ///< R^2 of the linear model by height
+    std::optional<double> slope;               ///< R^2 of the linear model by slope
+    std::optional<double> rank1, rank2, rank4; ///< R^2 of 1, 2, 4 terms by height rank
+    double residual = 0; ///< rms deviation that the best of them leaves, scene-linear
 };
 
 /// What one MIP level holds; means are weighted with coverage. Absent: not baked.
@@ -44,15 +82,29 @@ struct LevelSummary {
     std::optional<double> kurtosis;     ///< Mardia's, mean over texels whose slope varies
     std::optional<double> tau;          ///< mean K0 weight
     std::optional<double> height_sigma; ///< sqrt of the mean height variance within texels, world
-    /// Correlation of R, G, B with height within texels: mean covariance over the root of the
-    /// product of mean variances.
-    std::optional<std::array<double, 3>> color_height_correlation;
     std::optional<std::array<double, 3>> mean_color;
+    std::optional<ColorFit> color_fit;
+};
+
+/// A way to show what a map holds, or to do without it, and what that costs
+/// (pipeline/model_errors.h).
+struct ModelRecord {
+    std::string model; ///< "mean color", "colorheight", "rank 2", ..., or "without tail", ...
+    int channels = 0;  ///< that it reads, beside mean color and slope
+    double error = 0;  ///< rms, of the worst level and elevation
+    bool chosen = false;
+};
+
+/// How `--maps auto` decided.
+struct ModelChoice {
+    double max_view_angle_deg = 0;
+    double tolerance = 0;
+    std::vector<ModelRecord> models;
 };
 
 /// What was baked, from what, with which options: NAME.scree.json.
 struct Manifest {
-    static constexpr int kFormatVersion = 1;
+    static constexpr int kFormatVersion = 2;
 
     std::string name;
     std::string program_version;
@@ -72,6 +124,8 @@ struct Manifest {
     long long no_data_texels = 0;
     double half_tolerance = 0;
     std::string compression;
+    std::optional<ColorMapRecord> color_map;
+    std::optional<ModelChoice> model_choice; ///< of --maps auto
     std::vector<TextureRecord> textures;
     std::vector<LevelSummary> levels;
     std::map<std::string, std::string> options; ///< as given, by long name

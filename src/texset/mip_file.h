@@ -4,10 +4,9 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
 
+#include "texset/attributes.h"
 #include "texset/chunk_codec.h"
 
 namespace scree {
@@ -15,10 +14,6 @@ namespace scree {
 enum class PixelType { half, float32 };
 std::string pixel_type_name(PixelType type);
 size_t pixel_bytes(PixelType type);
-
-/// Header attributes of a texture file, in the order they are written.
-using AttributeValue = std::variant<std::string, int, float, double>;
-using Attributes = std::vector<std::pair<std::string, AttributeValue>>;
 
 /// What a MIP-mapped texture file looks like.
 struct MipLayout {

@@ -56,6 +56,10 @@ TEST(Channels, NamesAreThoseOfTheDesign)
     EXPECT_EQ(names(Map::colorheight), (Names{"R", "G", "B"}));
     EXPECT_EQ(names(Map::colorslope), (Names{"Rs", "Gs", "Bs", "Rt", "Gt", "Bt"}));
     EXPECT_EQ(names(Map::tail), (Names{"tau"}));
+    EXPECT_EQ(names(Map::map), (Names{"R", "G", "B"}));
+    EXPECT_EQ(names(Map::rank),
+              (Names{"R1", "G1", "B1", "R2", "G2", "B2", "R3", "G3", "B3", "R4", "G4", "B4"}));
+    EXPECT_EQ(rank_channels(2), (std::vector<std::string>{"B1", "B2", "G1", "G2", "R1", "R2"}));
     EXPECT_EQ(map_info(Map::bumpslopes).channels,
               (std::vector<std::string>{"b0_h", "b1_dhds", "b2_dhdt", "b3_dhds2", "b4_dhdt2",
                                         "b5_dh2dsdt"}));
@@ -75,7 +79,7 @@ TEST(Channels, UsersNameTheMapsTheyMayChooseAndNoOther)
 {
     EXPECT_EQ(map_named("slope"), Map::slope);
     EXPECT_EQ(map_named("colorslope"), Map::colorslope);
-    EXPECT_EQ(map_names(), "slope,height,color,colorheight,colorslope,tail");
+    EXPECT_EQ(map_names(), "slope,height,color,colorheight,colorslope,rank,map,tail");
     for (const char* name : {"bumpslopes", "coverage", "normals", ""})
         try {
             map_named(name);

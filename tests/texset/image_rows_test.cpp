@@ -12,6 +12,7 @@
 #include <numeric>
 
 #include "math/error.h"
+#include "support/color.h"
 #include "support/files.h"
 #include "support/random_image.h"
 
@@ -236,6 +237,32 @@ TEST(ImageRows, AlphaIsLeftAsTheFileStoresIt)
     write_image(temp / "rgb.exr", random_image(2, 2, {"R", "G", "B"}, 1));
     EXPECT_EQ(ImageRows(temp / "rgb.exr").info().alpha_channel, -1);
     EXPECT_FALSE(ImageRows(temp / "rgb.exr").info().premultiplied);
+}
+
+TEST(ImageRows, WhetherColorIsMultipliedByAlphaIsToldForEveryFormat)
+{
+    TempFolder temp;
+    Image image{32, 32, {"R", "G", "B", "A"}, {}};
+    for (int i = 0; i < 32 * 32; ++i)
+        image.pixels.insert(image.pixels.end(), {0.25F, 0.5F, 0.125F, 0.5F});
+    const std::tuple<const char*, const char*, bool, bool> kinds[] = {
+        // what the writer is told, what the reader must know
+        {"a.exr", "float", false, true},  {"a.tif", "uint16", false, true},
+        {"b.tif", "uint16", true, false}, {"a.png", "uint8", true, false},
+        {"a.tga", "uint8", true, false},  {"a.bmp", "uint8", true, false},
+        {"a.jp2", "uint8", true, false}};
+    for (const auto& [name, type, straight, premultiplied] : kinds) {
+        const bool told = straight; // structured bindings cannot be captured
+        write_image_with(temp / name, image, type, [told](OIIO::ImageSpec& spec) {
+            spec.attribute("oiio:UnassociatedAlpha", told ? 1 : 0);
+        });
+        ImageRows rows(temp / name);
+        EXPECT_EQ(rows.info().premultiplied, premultiplied) << name;
+        EXPECT_EQ(rows.info().alpha_channel, 3) << name;
+        const auto pixels = read_all(rows, {0, 1, 2, 3}, 1);
+        for (size_t c = 0; c < 4; ++c) // a step of 8 bits
+            EXPECT_NEAR(pixels[c], image.pixels[c], 1 / 255.0F) << name;
+    }
 }
 
 TEST(ImageRows, ADataWindowIsTheMapWhereverItLies)

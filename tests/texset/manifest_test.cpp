@@ -42,8 +42,12 @@ Manifest full_manifest()
     m.no_data_texels = 5'000'000'000;
     m.half_tolerance = 0.02;
     m.compression = "piz";
-    m.textures = {{Map::slope, "a.slope.exr", PixelType::half, 0.003, 1e-7},
-                  {Map::coverage, "a.coverage.exr", PixelType::float32, {}, {}}};
+    m.textures = {
+        {Map::slope, "a.slope.exr", {"s", "ss", "st", "t", "tt"}, PixelType::half, 0.003, 1e-7},
+        {Map::rank, "a.rank.exr", rank_channels(2), PixelType::float32, {}, {}}};
+    m.color_map = {"slope", 30, -0.5, 0.75,
+                   MapTableRecord{65, 17, -1, 1.25, 1.5, 0.01, 0.003, 0.02, 0.001, 0.004}};
+    m.model_choice = {80, 0.02, {{"rank 2", 6, 0.01, true}, {"without tail", -1, 0.3, false}}};
     LevelSummary level;
     level.width = 99;
     level.height = 98;
@@ -54,7 +58,8 @@ Manifest full_manifest()
     level.kurtosis = 9.5;
     level.tau = 0.3;
     level.height_sigma = 0.4;
-    level.color_height_correlation = {0.1, -0.2, 0.3};
+    level.color_fit = {0.01, {{0.1, -0.2, 0.3}}, {{0.4, 0.5, 0.6}}, 0.21, 0.22, 0.23, 0.24, 0.25,
+                       0.26};
     level.mean_color = {0.5, 0.6, 0.7};
     m.levels = {level, LevelSummary{49, 49, 1, {}, {}, {}, {}, {}, {}, {}, {}}};
     m.options = {{"wrap", "clamp mirror"}, {"texel-size", "0.1 0.333"}};
@@ -73,8 +78,19 @@ void expect_equal(const LevelSummary& a, const LevelSummary& b)
     EXPECT_EQ(a.kurtosis, b.kurtosis);
     EXPECT_EQ(a.tau, b.tau);
     EXPECT_EQ(a.height_sigma, b.height_sigma);
-    EXPECT_EQ(a.color_height_correlation, b.color_height_correlation);
     EXPECT_EQ(a.mean_color, b.mean_color);
+    ASSERT_EQ(a.color_fit.has_value(), b.color_fit.has_value());
+    if (a.color_fit) {
+        EXPECT_EQ(a.color_fit->sigma, b.color_fit->sigma);
+        EXPECT_EQ(a.color_fit->height_correlation, b.color_fit->height_correlation);
+        EXPECT_EQ(a.color_fit->slope_correlation, b.color_fit->slope_correlation);
+        EXPECT_EQ(a.color_fit->height, b.color_fit->height);
+        EXPECT_EQ(a.color_fit->slope, b.color_fit->slope);
+        EXPECT_EQ(a.color_fit->rank1, b.color_fit->rank1);
+        EXPECT_EQ(a.color_fit->rank2, b.color_fit->rank2);
+        EXPECT_EQ(a.color_fit->rank4, b.color_fit->rank4);
+        EXPECT_EQ(a.color_fit->residual, b.color_fit->residual);
+    }
 }
 
 std::string message_of_reading(const std::filesystem::path& set)
@@ -119,6 +135,30 @@ TEST(ManifestFile, EveryFieldComesBackToTheLastBit)
             EXPECT_EQ(r.inputs[i].type, m.inputs[i].type);
             EXPECT_EQ(r.inputs[i].color_space, m.inputs[i].color_space);
         }
+        ASSERT_TRUE(r.color_map && r.color_map->table && r.model_choice);
+        EXPECT_EQ(r.color_map->by, m.color_map->by);
+        EXPECT_EQ(r.color_map->azimuth_deg, m.color_map->azimuth_deg);
+        EXPECT_EQ(r.color_map->first, m.color_map->first);
+        EXPECT_EQ(r.color_map->last, m.color_map->last);
+        EXPECT_EQ(r.color_map->table->columns, m.color_map->table->columns);
+        EXPECT_EQ(r.color_map->table->rows, m.color_map->table->rows);
+        EXPECT_EQ(r.color_map->table->low, m.color_map->table->low);
+        EXPECT_EQ(r.color_map->table->high, m.color_map->table->high);
+        EXPECT_EQ(r.color_map->table->widest, m.color_map->table->widest);
+        EXPECT_EQ(r.color_map->table->tolerance, m.color_map->table->tolerance);
+        EXPECT_EQ(r.color_map->table->rms_error, m.color_map->table->rms_error);
+        EXPECT_EQ(r.color_map->table->largest_error, m.color_map->table->largest_error);
+        EXPECT_EQ(r.color_map->table->shortcut_rms, m.color_map->table->shortcut_rms);
+        EXPECT_EQ(r.color_map->table->shortcut_largest, m.color_map->table->shortcut_largest);
+        EXPECT_EQ(r.model_choice->max_view_angle_deg, m.model_choice->max_view_angle_deg);
+        EXPECT_EQ(r.model_choice->tolerance, m.model_choice->tolerance);
+        ASSERT_EQ(r.model_choice->models.size(), m.model_choice->models.size());
+        for (size_t i = 0; i < m.model_choice->models.size(); ++i) {
+            EXPECT_EQ(r.model_choice->models[i].model, m.model_choice->models[i].model);
+            EXPECT_EQ(r.model_choice->models[i].channels, m.model_choice->models[i].channels);
+            EXPECT_EQ(r.model_choice->models[i].error, m.model_choice->models[i].error);
+            EXPECT_EQ(r.model_choice->models[i].chosen, m.model_choice->models[i].chosen);
+        }
         EXPECT_EQ(r.width, m.width);
         EXPECT_EQ(r.height, m.height);
         EXPECT_EQ(r.wrap_s, m.wrap_s);
@@ -144,6 +184,7 @@ TEST(ManifestFile, EveryFieldComesBackToTheLastBit)
         for (size_t i = 0; i < m.textures.size(); ++i) {
             EXPECT_EQ(r.textures[i].map, m.textures[i].map);
             EXPECT_EQ(r.textures[i].file, m.textures[i].file);
+            EXPECT_EQ(r.textures[i].channels, m.textures[i].channels);
             EXPECT_EQ(r.textures[i].type, m.textures[i].type);
             EXPECT_EQ(r.textures[i].half_error, m.textures[i].half_error);
             EXPECT_EQ(r.textures[i].float_error, m.textures[i].float_error);
@@ -213,10 +254,10 @@ TEST(ManifestFile, ALaterFormatVersionIsRefusedAndTellsWhatToDo)
     TempFolder temp;
     const auto path = temp / "a.scree.json";
     write_text(
-        path, replaced(to_json(full_manifest()), "\"format_version\": 1", "\"format_version\": 2"));
+        path, replaced(to_json(full_manifest()), "\"format_version\": 2", "\"format_version\": 3"));
     const std::string message = message_of_reading(temp.path());
     EXPECT_NE(message.find(path.string()), std::string::npos) << message;
-    EXPECT_NE(message.find("format version 2"), std::string::npos) << message;
+    EXPECT_NE(message.find("format version 3"), std::string::npos) << message;
     EXPECT_NE(message.find("newer scree"), std::string::npos) << message;
 }
 
@@ -242,7 +283,7 @@ TEST(ManifestFile, FilesOfASetAreItsTexturesAndItself)
     m.name = "a";
     write_manifest(m, temp.path());
     EXPECT_EQ(files_of_set(temp.path()),
-              (std::set<std::string>{"a.scree.json", "a.slope.exr", "a.coverage.exr"}));
+              (std::set<std::string>{"a.scree.json", "a.slope.exr", "a.rank.exr"}));
     write_text(temp / "a.scree.json", "{");
     EXPECT_TRUE(files_of_set(temp.path()).empty()); // damaged: not known to be ours
 }

@@ -27,7 +27,7 @@ void write_set(const fs::path& folder, const std::string& text)
     fs::create_directories(folder);
     Manifest manifest;
     manifest.name = "a";
-    manifest.textures = {{Map::slope, "a.slope.exr", PixelType::half, {}, {}}};
+    manifest.textures = {{Map::slope, "a.slope.exr", {}, PixelType::half, {}, {}}};
     write_manifest(manifest, folder);
     write_text(folder / "a.slope.exr", text);
 }
