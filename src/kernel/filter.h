@@ -172,7 +172,7 @@ Vec3<Real> color_by_rank(const Vec3<Real>& color, const Vec3<Real>* a, int count
     return out;
 }
 
-/// Size and ranges of a color-map table: columns are means, rows deviations.
+/// Size and ranges of a color-map table: columns are means, rows roots of the deviation.
 template <typename Real>
 struct ColorMapTable {
     Real low = 0, high = 1; ///< means at the centres of the first and last column
@@ -204,6 +204,16 @@ SlopeAlong<Real> slope_along(const Vec2<Real>& direction, const Vec2<Real>& mean
     SlopeAlong<Real> out;
     kernel::scree_slope_along(direction.x, direction.y, mean.x, mean.y, covariance.ss,
                               covariance.st, covariance.tt, out.mean, out.deviation);
+    return out;
+}
+
+/// The same for the length of the slope, as a color map by steepness is looked up.
+template <typename Real>
+SlopeAlong<Real> slope_magnitude(const Vec2<Real>& mean, const Covariance<Real>& covariance)
+{
+    SlopeAlong<Real> out;
+    kernel::scree_slope_magnitude(mean.x, mean.y, covariance.ss, covariance.tt, out.mean,
+                                  out.deviation);
     return out;
 }
 

@@ -545,7 +545,7 @@ SCREE_FUNCTION Real scree_color_by_rank(Real c, Real a1, Real a2, Real a3, Real 
 /// Where a color-map table T(mean, deviation) = E[map(X)], X normal, is to be looked up.
 ///
 /// Columns are means from `low` (centre of the first) to `high` (centre of the last), rows are
-/// deviations from 0 to `widest` likewise.
+/// roots of the deviation from 0 to sqrt(widest) likewise: the narrower, the more detail.
 ///
 /// mean, deviation  of what the map is applied to, in the map's units; for a height-mapped color
 ///                  h + sigma mu(L) and sigma sqrt(nu(L)), for a slope-mapped one the visible slope
@@ -560,7 +560,7 @@ SCREE_FUNCTION void scree_color_map_coordinates(Real mean, Real deviation, Real 
     Real x = high > low ? (mean - low) / (high - low) : LIT(0.0);
     Real y = widest > LIT(0.0) ? deviation / widest : LIT(0.0);
     x = min(max(x, LIT(0.0)), LIT(1.0));
-    y = min(max(y, LIT(0.0)), LIT(1.0));
+    y = sqrt(min(max(y, LIT(0.0)), LIT(1.0)));
     u = (x * (columns - LIT(1.0)) + LIT(0.5)) / columns;
     v = (y * (rows - LIT(1.0)) + LIT(0.5)) / rows;
 }
@@ -572,6 +572,17 @@ SCREE_FUNCTION void scree_slope_along(Real ds, Real dt, Real ms, Real mt, Real c
     Real per_deviation, us, ut, det;
     mean = ds * ms + dt * mt;
     scree_spread(ds, dt, css, cst, ctt, deviation, per_deviation, us, ut, det);
+}
+
+/// What a color map by the steepness of the slope is looked up with: the length of the mean slope,
+/// and its deviation along an average direction, sqrt(trace(C) / 2).
+///
+/// not modelled: a spread that differs between directions
+SCREE_FUNCTION void scree_slope_magnitude(Real ms, Real mt, Real css, Real ctt, OUT(Real, mean),
+                                          OUT(Real, deviation))
+{
+    mean = sqrt(ms * ms + mt * mt);
+    deviation = sqrt(LIT(0.5) * max(css + ctt, LIT(0.0)));
 }
 
 /// How strongly a direction pulls color that goes with slope: shift / b, so that the visible color

@@ -2,6 +2,9 @@
 
 #include <kernel/filter.h>
 
+#include <cmath>
+
+using Imath::V2f;
 using Imath::V3f;
 using namespace scree;
 
@@ -16,4 +19,20 @@ V3f shade(const filter::SlopeMoments<float>& slope, float tau, const V3f& color,
         filter::color_by_height(color, color_height, h, hh, filter::visible_height(exponent));
     return visible * (filter::diffuse(to_viewer, to_light, slopes) / 3.14159265f) +
            V3f(0.04f) * filter::specular(to_viewer, to_light, slopes, base_alpha);
+}
+
+// The visible color of a set with a rank table: a[0] is (R1, G1, B1), and so on.
+V3f visible_by_rank(const V3f& color, const V3f (&a)[4], float exponent)
+{
+    return filter::color_by_rank(color, a, 4, exponent);
+}
+
+// Of a set with a color map by height: where NAME.map.exr is to be looked up, bilinear, clamped and
+// without MIP levels. Size and ranges of the table are in its header.
+V2f place_in_map(float h, float hh, const filter::ColorMapTable<float>& table, float exponent)
+{
+    const auto visible = filter::visible_height(exponent);
+    const float sigma = filter::height_sigma(h, hh);
+    return filter::color_map_coordinates(h + sigma * visible.mean,
+                                         sigma * std::sqrt(visible.variance), table);
 }

@@ -12,7 +12,8 @@ case_outputs(Real wox, Real woy, Real woz, Real wix, Real wiy, Real wiz, Real s,
              OUT(Real, height_mean), OUT(Real, height_variance), OUT(Real, by_height),
              OUT(Real, by_rank), OUT(Real, by_slope), OUT(Real, map_u), OUT(Real, map_v),
              OUT(Real, alpha_x), OUT(Real, alpha_y), OUT(Real, angle_rad), OUT(Real, specular),
-             OUT(Real, diffuse), OUT(Real, projected), OUT(Real, along))
+             OUT(Real, diffuse), OUT(Real, projected), OUT(Real, along), OUT(Real, steepness),
+             OUT(Real, steepness_spread))
 {
     scree_covariance(raw_s, raw_t, raw_ss, raw_st, raw_tt, css, cst, ctt);
     scree_visible_slopes(wox, woy, woz, s, t, ss, st, tt, tau, area, vs, vt, vss, vst, vtt);
@@ -29,6 +30,7 @@ case_outputs(Real wox, Real woy, Real woz, Real wix, Real wiy, Real wiz, Real s,
                                 LIT(4.0), LIT(2.0), LIT(256.0), LIT(32.0), map_u, map_v);
     Real mean = LIT(0.0);
     scree_slope_along(LIT(0.6), LIT(0.8), s, t, ss, st, tt, mean, along);
+    scree_slope_magnitude(s, t, ss, tt, steepness, steepness_spread);
 
     scree_beckmann_roughness(ss, st, tt, base_alpha, alpha_x, alpha_y, angle_rad);
     specular = scree_specular(wox, woy, woz, wix, wiy, wiz, s, t, ss, st, tt, base_alpha);

@@ -219,7 +219,9 @@ const char* output_name(int output)
                                                 "specular",
                                                 "diffuse",
                                                 "projected area",
-                                                "slope along"};
+                                                "slope along",
+                                                "steepness",
+                                                "steepness spread"};
     return names[output];
 }
 

@@ -69,6 +69,8 @@ enum Output : int {
     kDiffuse,
     kProjected,
     kAlong,
+    kSteepness,
+    kSteepnessSpread,
     kOutputs
 };
 

@@ -144,7 +144,8 @@ TEST(ColorMap, CoordinatesAreTexelCentres)
     EXPECT_NEAR(at(-1, 0).y, 0.5 / 3, 1e-15);
     EXPECT_NEAR(at(3, 2).x, 4.5 / 5, 1e-15);
     EXPECT_NEAR(at(3, 2).y, 2.5 / 3, 1e-15);
-    EXPECT_NEAR(at(1, 1).x, 0.5, 1e-15);
+    EXPECT_NEAR(at(1, 0.5).x, 0.5, 1e-15);
+    EXPECT_NEAR(at(1, 0.5).y, 0.5, 1e-15) << "rows are roots: half way is a quarter of the widest";
     EXPECT_EQ(at(-9, -1), at(-1, 0)) << "beyond the range: its border";
     EXPECT_EQ(at(9, 9), at(3, 2));
     const filter::ColorMapTable<double> point{1, 1, 0, 1, 1};

@@ -20,8 +20,8 @@ Outputs<Real> evaluate(const KernelCase& row)
                          in(19), in(20), in(21), in(22), in(23), in(24), in(25), in(26), in(27),
                          in(28), in(29), in(30), in(31), o[0], o[1], o[2], o[3], o[4], o[5], o[6],
                          o[7], o[8], o[9], o[10], o[11], o[12], o[13], o[14], o[15], o[16], o[17],
-                         o[18], o[19], o[20], o[21], o[22], o[23], o[24]);
-    static_assert(kInputs == 32 && kOutputs == 25);
+                         o[18], o[19], o[20], o[21], o[22], o[23], o[24], o[25], o[26]);
+    static_assert(kInputs == 32 && kOutputs == 27);
     return o;
 }
 

@@ -283,6 +283,8 @@ Outputs<double> oracle_in(const KernelCase& row)
     set(kAlphaY, sqrt(base * base + 2 * std::max<Real>(half_sum - radius, 0)));
     set(kAngle, atan2(Real(2 * g.cst), Real(g.css - g.ctt)) / 2);
     set(kAlong, sqrt((9 * g.css + 24 * g.cst + 16 * g.ctt) / 25));
+    set(kSteepness, sqrt(g.ms * g.ms + g.mt * g.mt));
+    set(kSteepnessSpread, sqrt((g.css + g.ctt) / 2));
     take_exponent(row, out[kLambda], out);
     return out;
 }
@@ -356,7 +358,7 @@ void take_exponent(const KernelCase& row, double exponent, Outputs<double>& outp
 
     auto unit = [](double x) { return std::min(1.0, std::max(0.0, x)); };
     const double x = unit((h + sigma * seen.mean + 4) / 8);
-    const double y = unit(sigma * std::sqrt(seen.variance) / 2);
+    const double y = std::sqrt(unit(sigma * std::sqrt(seen.variance) / 2));
     outputs[kMapU] = (x * 255 + 0.5) / 256;
     outputs[kMapV] = (y * 31 + 0.5) / 32;
 }
