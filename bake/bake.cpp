@@ -9,6 +9,7 @@
 
 #include "bake/commands.h"
 #include "bake/recipe.h"
+#include "bake/set_tables.h"
 #include "bake/supervisor.h"
 #include "bake/terminal.h"
 
@@ -20,16 +21,19 @@ namespace {
 struct BakeWords {
     BakeOptions options;
     std::string recipe;
-    std::vector<double> texel_size, world_size;
+    std::vector<double> texel_size, world_size, map_range;
+    std::optional<double> map_azimuth;
+    std::string map_by = "height";
     std::vector<std::string> wrap, maps;
     std::string input = "height", normal_range = "auto", reconstruction = "bilinear";
     std::string pixel_type = "auto", compression = "zip", layout = "scree";
     bool quiet = false;
 };
 
-constexpr const char* kPathKeys = "height,color,output,ocio-config";
+constexpr const char* kPathKeys = "height,color,colormap,output,ocio-config";
 /// What says how to run a bake and not what to bake; not recorded in the manifest.
-constexpr const char* kNotRecorded = ",recipe,output,threads,quiet,help,height,color,ocio-config,";
+constexpr const char* kNotRecorded =
+    ",recipe,output,threads,quiet,help,height,color,colormap,ocio-config,";
 
 void add_options(CLI::App& command, BakeWords& words)
 {
@@ -39,7 +43,11 @@ void add_options(CLI::App& command, BakeWords& words)
 
     auto* files = command.add_option_group("Files");
     files->add_option("--height", o.height_file, "height map (or normal map, see --input)");
-    files->add_option("--color", o.color_file, "color map of the same size");
+    files->add_option("--color", o.color_file, "color texture of the same size");
+    files->add_option(
+        "--colormap", o.colormap_file,
+        "instead: color by height or slope; a 1-D LUT (spi1d, csp, cube, clf, ...), a "
+        "GMT .cpt, or the first row of an image");
     files->add_option("-o,--output", o.output, "folder of the texture set; replaced as a whole");
     files->add_option("--name", o.name, "name of the set [the height file's]");
 
@@ -89,17 +97,45 @@ void add_options(CLI::App& command, BakeWords& words)
     color->add_option("--ocio-config", o.ocio_config,
                       "OpenColorIO config [$OCIO, or a small one that Scree carries]");
     color->add_option("--color-space", o.color_space,
-                      "color space of the color map [its header's, or the config's file rules]");
+                      "color space of the color file [its header's, or the config's file rules; of "
+                      "a .cpt color_picking, of a LUT scene_linear]");
+    color->add_option("--working-space", o.working_space,
+                      "scene-linear space that colors are averaged and stored in [the config's "
+                      "scene_linear role]");
     color->add_flag("--alpha-weight", o.alpha_weight,
                     "texels count by their alpha; alpha 0 is no data");
-    color->add_flag("--resample", o.resample, "fit a color map of another size to the heights");
+    color->add_flag("--resample", o.resample, "fit a color texture of another size to the heights");
+
+    auto* map = command.add_option_group("Color map");
+    map->add_option("--map-by", words.map_by,
+                    "what --colormap is a function of: height, or slope (its steepness; along a "
+                    "direction with --map-azimuth)")
+        ->capture_default_str();
+    map->add_option("--map-azimuth", words.map_azimuth,
+                    "the direction of --map-by slope, degrees from +s (right) towards +t (down)");
+    map->add_option("--map-range", words.map_range,
+                    "heights (world units) or slopes that the map's ends stand for [what its file "
+                    "states; else the lowest and the highest height]")
+        ->expected(2)
+        ->option_text("LOW HIGH");
+    map->add_option("--map-tolerance", o.map_tolerance,
+                    "rms interpolation error of the table NAME.map.exr, as a share of its colors")
+        ->capture_default_str();
 
     auto* set = command.add_option_group("Texture set");
     set->add_option("--maps", words.maps,
                     "which maps to bake: " + map_names() +
-                        " [all the "
-                        "inputs allow]")
+                        "; or auto: those that a view needs [all the inputs allow]")
         ->delimiter(',');
+    set->add_option("--rank-terms", o.rank_terms,
+                    "terms of the rank table, 1 to 8; the most that auto takes")
+        ->capture_default_str();
+    set->add_option("--max-view-angle", o.max_view_angle_deg,
+                    "for auto: steepest view, degrees from the normal")
+        ->capture_default_str();
+    set->add_option("--model-tolerance", o.model_tolerance,
+                    "for auto: rms error of the visible color, relative, that may be")
+        ->capture_default_str();
     set->add_option("--pixel-type", words.pixel_type,
                     "half, float, or auto: half where its measured error is small enough")
         ->capture_default_str();
@@ -141,8 +177,14 @@ void interpret(BakeWords& words)
         o.pixel_type = pixel_type_choice_named(words.pixel_type);
         o.compression = compression_named(words.compression);
         o.layout = layout_named(words.layout);
+        o.auto_maps = words.maps == std::vector<std::string>{"auto"};
         for (const auto& name : words.maps)
-            o.maps.push_back(map_named(name));
+            if (!o.auto_maps)
+                o.maps.push_back(map_named(name));
+        if (!words.map_range.empty())
+            o.map_range = {words.map_range.front(), words.map_range.back()};
+        o.map_by = map_by_named(words.map_by, words.map_azimuth.has_value());
+        o.map_azimuth_deg = words.map_azimuth.value_or(0);
         expect_sensible(o);
     } catch (const Error& e) {
         // Which of the two a word came from is no longer known.
@@ -206,7 +248,8 @@ void run(CLI::App& command, BakeWords& words)
         apply_recipe(command, words.recipe, kPathKeys);
     interpret(words);
     words.options.as_given = given_options(command);
-    note_for_supervisor({words.options.height_file.string(), words.options.color_file.string()},
+    note_for_supervisor({words.options.height_file.string(), words.options.color_file.string(),
+                         words.options.colormap_file.string()},
                         words.options.output);
 
     Manifest manifest;
@@ -224,6 +267,8 @@ void run(CLI::App& command, BakeWords& words)
     for (const auto& warning : manifest.warnings)
         fmt::print(stderr, "scree: warning: {}\n", warning);
     print_summary(manifest, words.options.output);
+    print_color_map(manifest);
+    print_model_choice(manifest);
 }
 
 } // namespace
@@ -231,8 +276,7 @@ void run(CLI::App& command, BakeWords& words)
 void add_bake(CLI::App& app)
 {
     auto words = std::make_shared<BakeWords>();
-    auto* command =
-        app.add_subcommand("bake", "bake a height map and a color map into a texture set");
+    auto* command = app.add_subcommand("bake", "bake heights and colors into a texture set");
     add_options(*command, *words);
     command->footer("Examples:\n"
                     "  scree bake --height rock.exr --color rock.png --world-size 2 -o rock\n"

@@ -4,212 +4,130 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <cmath>
 #include <thread>
 
 #include "math/error.h"
+#include "pipeline/color_table.h"
+#include "pipeline/describe.h"
 #include "pipeline/file_source.h"
-#include "pipeline/level_statistics.h"
+#include "pipeline/level_report.h"
+#include "pipeline/map_choice.h"
+#include "pipeline/model_choice.h"
 #include "pipeline/storage_error.h"
-#include "pipeline/survey.h"
+#include "pipeline/surface.h"
 #include "pipeline/warnings.h"
 #include "pipeline/write_pass.h"
 #include "texset/image_threads.h"
 #include "texset/staged_folder.h"
-#include "version.h"
 
 namespace scree {
 
 namespace {
 
-std::vector<Map> choose_maps(const Source& source, const BakeOptions& options, bool complete)
-{
-    std::vector<Map> maps;
-    if (options.layout == Layout::bumpslopes)
-        return {Map::bumpslopes};
-    maps = options.maps;
-    if (maps.empty()) {
-        maps = {Map::slope, Map::tail};
-        if (source.has_heights())
-            maps.push_back(Map::height);
-        if (source.has_color())
-            maps.insert(maps.end(), {Map::color, Map::colorslope});
-        if (source.has_color() && source.has_heights())
-            maps.push_back(Map::colorheight);
-    }
-    for (const Map map : maps) {
-        MomentSet needs;
-        require_moments(map, needs);
-        if (needs.height && !source.has_heights())
-            throw Error(fmt::format("--maps {}: needs heights, and a normal map has none",
-                                    map_info(map).name));
-        if (needs.color && !source.has_color())
-            throw Error(
-                fmt::format("--maps {}: needs a color map; give --color", map_info(map).name));
-    }
-    if (!complete)
-        maps.push_back(Map::coverage);
-    std::sort(maps.begin(), maps.end());
-    maps.erase(std::unique(maps.begin(), maps.end()), maps.end());
-    return maps;
-}
-
-MomentLayout moments_for(const std::vector<Map>& maps, const Source& source)
-{
-    MomentSet set;
-    set.slope = false;
-    for (const Map map : maps)
-        require_moments(map, set);
-    set.height = set.height && source.has_heights();
-    return MomentLayout(set);
-}
-
-std::array<double, 2> texel_size(const Source& source, const BakeOptions& options)
-{
-    const auto w = static_cast<double>(source.width()), h = static_cast<double>(source.height());
-    if (options.texel_size)
-        return *options.texel_size;
-    if (options.world_size) {
-        const double texel_width = (*options.world_size)[0] / w;
-        return {texel_width,
-                options.world_height_given ? (*options.world_size)[1] / h : texel_width};
-    }
-    return {1 / w, 1 / w}; // the map is one unit wide, its texels square
-}
-
-Attributes attributes_of(Map map, const Manifest& manifest)
-{
-    Attributes attributes = {{"textureformat", std::string("Plain Texture")},
-                             {"wrapmodes", manifest.wrap_s + "," + manifest.wrap_t},
-                             {"Software", "scree " + manifest.program_version},
-                             {"scree:set", manifest.name},
-                             {"scree:map", map_info(map).name},
-                             {"scree:meaning", map_info(map).meaning},
-                             {"scree:axes", std::string("s right, t down")},
-                             {"scree:texelWidth", manifest.texel_width},
-                             {"scree:texelHeight", manifest.texel_height},
-                             {"scree:reconstruction", manifest.reconstruction}};
-    if (manifest.has_height) {
-        attributes.emplace_back("scree:h0", manifest.h0);
-        attributes.emplace_back("scree:h1", manifest.h1);
-    }
-    if (!manifest.working_space.empty())
-        attributes.emplace_back("scree:workingSpace", manifest.working_space);
-    return attributes;
-}
-
-/// What the passes of one bake share.
-struct Setup {
-    Setup(Source& from, const BakeOptions& given, const BakeMonitor& watch)
-        : source(from), options(given), monitor(watch), found(survey(from, watch)),
-          maps(choose_maps(from, given, found.complete)), layout(moments_for(maps, from)),
-          texel(texel_size(from, given)),
-          texels(layout, found, given, from.width(), texel[0], texel[1]), scale{found.h0, found.h1,
-                                                                                from.has_heights()}
+/// A pass over a surface for certain maps.
+struct Pass {
+    Pass(const Surface& of, const std::vector<Map>& maps, int rank_terms)
+        : surface(of), layout(moments_for(maps, rank_terms, of.source, of.options)),
+          texels(layout, of.found, of.options, of.mapped ? &*of.mapped : nullptr, of.width(),
+                 of.texel[0], of.texel[1]),
+          report(layout, of.width(), of.height(), of.found.h1)
     {}
 
-    Source& source;
-    const BakeOptions& options;
-    const BakeMonitor& monitor;
-    Survey found;
-    std::vector<Map> maps;
+    const Surface& surface;
     MomentLayout layout;
-    std::array<double, 2> texel;
     TexelMoments texels;
-    ValueScale scale;
+    LevelReport report;
 };
 
-/// All that is known before the first texel is written.
-void describe(const Setup& setup, Manifest& manifest)
+/// Measures what storage costs, and takes half where it costs little; and, where that is asked
+/// for, what every color model costs. The latter knows the levels of maps that are dropped, too.
+void measure(const Surface& surface, const std::vector<Map>& maps, const MapTable* table,
+             Manifest& manifest)
 {
-    const BakeOptions& options = setup.options;
-    const bool has_heights = setup.source.has_heights();
-    manifest.program_version = kVersion;
-    manifest.width = setup.source.width();
-    manifest.height = setup.source.height();
-    manifest.wrap_s = wrap_name(options.wrap_s);
-    manifest.wrap_t = wrap_name(options.wrap_t);
-    manifest.texel_width = setup.texel[0];
-    manifest.texel_height = setup.texel[1];
-    manifest.height_scale = options.height_scale;
-    manifest.height_offset = options.height_offset;
-    manifest.reconstruction =
-        has_heights ? reconstruction_name(options.reconstruction) : "given normals";
-    manifest.layout = layout_name(options.layout);
-    manifest.has_height = has_heights;
-    manifest.h0 = setup.found.h0;
-    manifest.h1 = setup.found.h1;
-    manifest.height_min = setup.found.height_min;
-    manifest.height_max = setup.found.height_max;
-    manifest.no_data_texels = setup.found.no_data_texels;
-    manifest.half_tolerance = options.half_tolerance;
-    manifest.compression = compression_name(options.compression);
-    manifest.options = options.as_given;
-}
-
-/// One texture a map, of the type that was given, or float.
-std::vector<TextureRecord> textures_for(const Setup& setup, const std::string& name)
-{
-    std::vector<TextureRecord> textures;
-    for (const Map map : setup.maps) {
-        TextureRecord texture;
-        texture.map = map;
-        texture.file = fmt::format("{}.{}.exr", name, map_info(map).name);
-        texture.type = setup.options.pixel_type == PixelTypeChoice::half ? PixelType::half
-                                                                         : PixelType::float32;
-        textures.push_back(texture);
-    }
-    return textures;
-}
-
-/// Measures what half and float cost and takes half where it costs little.
-void measure_types(const Setup& setup, std::vector<TextureRecord>& textures)
-{
-    const int width = setup.source.width(), height = setup.source.height();
-    std::vector<std::unique_ptr<StorageError>> errors;
+    const BakeOptions& options = surface.options;
+    Pass pass(surface, maps, options.rank_terms);
     std::vector<TexelVisitor*> visitors;
-    for (const TextureRecord& texture : textures) {
-        errors.push_back(
-            std::make_unique<StorageError>(texture.map, setup.layout, setup.scale, width, height));
-        visitors.push_back(errors.back().get());
+    std::vector<std::unique_ptr<StorageError>> errors;
+    for (const TextureRecord& texture : manifest.textures) {
+        errors.push_back(std::make_unique<StorageError>(texture.map, pass.layout, surface.scale(),
+                                                        surface.width(), surface.height()));
+        if (options.pixel_type == PixelTypeChoice::automatic && texture.map != Map::map)
+            visitors.push_back(errors.back().get());
     }
-    StripReader strips(setup.source, setup.found, setup.options, false);
-    MomentPyramid pyramid(setup.layout, width, height, visitors);
-    measure_pass(strips, pyramid, setup.texels, height, setup.monitor);
-    for (size_t i = 0; i < textures.size(); ++i) {
-        TextureRecord& texture = textures[i];
+    std::optional<ModelErrors> models;
+    if (options.auto_maps) {
+        models.emplace(pass.layout, surface.scale(), table, options.max_view_angle_deg,
+                       surface.width(), surface.height());
+        visitors.push_back(&*models);
+        for (TexelVisitor* visitor : pass.report.visitors())
+            visitors.push_back(visitor);
+    }
+    StripReader strips(surface.source, surface.found, options, false);
+    MomentPyramid pyramid(pass.layout, surface.width(), surface.height(), visitors);
+    measure_pass(strips, pyramid, pass.texels, surface.height(), surface.monitor);
+
+    for (size_t i = 0; i < errors.size(); ++i) {
+        TextureRecord& texture = manifest.textures[i];
+        if (options.pixel_type != PixelTypeChoice::automatic || texture.map == Map::map)
+            continue;
         texture.half_error = errors[i]->half_error();
         texture.float_error = errors[i]->float_error();
-        const bool half_will_do = *texture.half_error <= setup.options.half_tolerance;
+        const bool half_will_do = *texture.half_error <= options.half_tolerance;
         texture.type = half_will_do ? PixelType::half : PixelType::float32;
+    }
+    if (models) {
+        manifest.model_choice = choose_models(*models, maps, options);
+        manifest.levels = pass.report.summaries();
     }
 }
 
-/// Writes all textures; returns the summaries of their levels.
-std::vector<LevelSummary> write_textures(const Setup& setup, const Manifest& manifest,
+/// Drops the textures that the choice of models does without.
+void drop_maps(const BakeOptions& options, std::vector<Map>& maps, Manifest& manifest)
+{
+    maps = maps_of(*manifest.model_choice, maps, options);
+    const int terms = rank_terms_of(*manifest.model_choice);
+    std::vector<TextureRecord> kept;
+    for (TextureRecord& texture : manifest.textures) {
+        if (std::find(maps.begin(), maps.end(), texture.map) == maps.end())
+            continue;
+        if (texture.map == Map::rank)
+            texture.channels = rank_channels(terms);
+        kept.push_back(std::move(texture));
+    }
+    manifest.textures = std::move(kept);
+    if (manifest.color_map && std::find(maps.begin(), maps.end(), Map::map) == maps.end())
+        manifest.color_map->table.reset();
+}
+
+/// Writes all textures but the table of a color map; returns the summaries of their levels.
+std::vector<LevelSummary> write_textures(const Surface& surface, const std::vector<Map>& maps,
+                                         const Manifest& manifest,
                                          const std::filesystem::path& folder)
 {
-    const int width = setup.source.width(), height = setup.source.height();
+    const int rank_terms =
+        manifest.model_choice ? rank_terms_of(*manifest.model_choice) : surface.options.rank_terms;
+    Pass pass(surface, maps, rank_terms);
     std::vector<TextureOutput> outputs;
-    LevelStatistics statistics(setup.layout, width, height, setup.found.h1);
-    std::vector<TexelVisitor*> visitors = {&statistics};
+    std::vector<TexelVisitor*> visitors = pass.report.visitors();
     for (const TextureRecord& texture : manifest.textures) {
+        if (texture.map == Map::map)
+            continue;
         TextureOutput output{
             texture.map,
             std::make_unique<MipFile>(folder / texture.file,
-                                      MipLayout{width, height, map_info(texture.map).channels,
-                                                texture.type, setup.options.compression,
+                                      MipLayout{surface.width(), surface.height(), texture.channels,
+                                                texture.type, surface.options.compression,
                                                 attributes_of(texture.map, manifest)}),
             nullptr};
         output.rows =
-            std::make_unique<TextureRows>(texture.map, setup.layout, setup.scale, *output.file);
+            std::make_unique<TextureRows>(texture.map, pass.layout, surface.scale(), *output.file);
         visitors.push_back(output.rows.get());
         outputs.push_back(std::move(output));
     }
-    StripReader strips(setup.source, setup.found, setup.options, true);
-    MomentPyramid pyramid(setup.layout, width, height, visitors);
-    write_pass(strips, pyramid, setup.texels, outputs, height, setup.monitor);
-    return statistics.summaries();
+    StripReader strips(surface.source, surface.found, surface.options, true);
+    MomentPyramid pyramid(pass.layout, surface.width(), surface.height(), visitors);
+    write_pass(strips, pyramid, pass.texels, outputs, surface.height(), surface.monitor);
+    return pass.report.summaries();
 }
 
 /// Limits all threads, Scree's and those of the image libraries, while it exists.
@@ -228,17 +146,47 @@ private:
     tbb::global_control tbb_;
 };
 
+/// The table of a color map, where the set is to have one, as the manifest records it.
+std::optional<ColorTable> make_table(const Surface& surface, const std::vector<Map>& maps)
+{
+    if (std::find(maps.begin(), maps.end(), Map::map) == maps.end())
+        return std::nullopt;
+    return color_table(*surface.mapped, surface.found, surface.options.map_tolerance);
+}
+
 Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& options,
                    Manifest manifest, const BakeMonitor& monitor)
 {
-    const Setup setup(source, options, monitor);
-    describe(setup, manifest);
-    manifest.textures = textures_for(setup, manifest.name);
-    if (options.pixel_type == PixelTypeChoice::automatic)
-        measure_types(setup, manifest.textures);
-    manifest.levels = write_textures(setup, manifest, folder.path());
+    std::optional<ColorMapInput> color_map;
+    if (!options.colormap_file.empty()) {
+        color_map = read_color_map_input(options);
+        manifest.inputs.push_back(color_map->record);
+        manifest.working_space = color_map->working_space;
+        for (const auto& note : color_map->notes)
+            manifest.warnings.push_back(note);
+    }
+    const Surface surface(source, options, monitor, color_map ? &*color_map : nullptr);
+    describe(surface, manifest);
+    std::vector<Map> maps =
+        choose_maps(source, options, surface.has_color(), surface.found.complete);
+    manifest.textures = textures_for(maps, options.rank_terms, options, manifest.name);
+    const std::optional<ColorTable> table = make_table(surface, maps);
+    if (table)
+        manifest.color_map->table = table->record;
 
-    for (auto& warning : rejects_warnings(setup.found.rejects))
+    if (options.auto_maps || options.pixel_type == PixelTypeChoice::automatic)
+        measure(surface, maps, table ? &table->table : nullptr, manifest);
+    if (options.auto_maps)
+        drop_maps(options, maps, manifest);
+    std::vector<LevelSummary> written = write_textures(surface, maps, manifest, folder.path());
+    if (manifest.levels.empty())
+        manifest.levels = std::move(written);
+    for (const TextureRecord& texture : manifest.textures)
+        if (texture.map == Map::map)
+            write_color_table(table->table, folder.path() / texture.file,
+                              attributes_of(Map::map, manifest));
+
+    for (auto& warning : rejects_warnings(surface.found.rejects))
         manifest.warnings.push_back(std::move(warning));
     for (auto& warning : scale_warnings(manifest, options))
         manifest.warnings.push_back(std::move(warning));

@@ -16,9 +16,7 @@ void reject(Rejects::Count& count, const std::string& file, const std::string& c
         count.first = fmt::format("{}, channel {}, texel ({}, {})", file, channel, x, y);
 }
 
-ChannelRows::ChannelRows(std::filesystem::path file, bool with_alpha)
-    : file_(std::move(file)), image_(file_), with_alpha_(with_alpha)
-{}
+ChannelRows::ChannelRows(std::filesystem::path file) : file_(std::move(file)), image_(file_) {}
 
 void ChannelRows::spool_in(const std::filesystem::path& folder)
 {
@@ -42,12 +40,12 @@ std::string ChannelRows::name(int place) const
     return info().channels[static_cast<size_t>(channels_[static_cast<size_t>(place)])];
 }
 
-void ChannelRows::choose(std::vector<int> channels)
+void ChannelRows::choose(std::vector<int> channels, bool with_alpha)
 {
     channels_ = std::move(channels);
     const int alpha = info().alpha_channel;
     const bool taken = std::find(channels_.begin(), channels_.end(), alpha) != channels_.end();
-    if (with_alpha_ && alpha >= 0 && !taken) {
+    if (with_alpha && alpha >= 0 && !taken) {
         alpha_place_ = static_cast<int>(channels_.size());
         channels_.push_back(alpha);
     }

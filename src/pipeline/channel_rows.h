@@ -24,7 +24,7 @@ void reject(Rejects::Count& count, const std::string& file, const std::string& c
 /// for and there.
 class ChannelRows {
 public:
-    ChannelRows(std::filesystem::path file, bool with_alpha);
+    explicit ChannelRows(std::filesystem::path file);
 
     [[nodiscard]] const ImageInfo& info() const { return image_.info(); }
     [[nodiscard]] bool has_alpha() const { return alpha_place_ >= 0; }
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] std::string name(int place) const;
 
     /// Which channels to read, by index in the file.
-    void choose(std::vector<int> channels);
+    void choose(std::vector<int> channels, bool with_alpha);
 
     /// From now on, what is decoded is kept in a spool in this folder, if there is room, and not
     /// decoded again.
@@ -54,7 +54,6 @@ public:
 private:
     std::filesystem::path file_;
     ImageRows image_;
-    bool with_alpha_;
     std::vector<int> channels_;
     int alpha_place_ = -1;
     int next_row_ = 0;

@@ -6,15 +6,17 @@
 namespace scree {
 
 ColorReader::ColorReader(const BakeOptions& options, int width, int height)
-    : rows(options.color_file, options.alpha_weight),
-      conversion(options.ocio_config, options.color_space, rows.info().color_space,
-                 rows.info().path),
+    : rows(options.color_file),
+      conversion({options.ocio_config, options.working_space, options.color_space,
+                  rows.info().color_space, rows.info().path, rows.info().color_fallback}),
       resampler_(rows.info().width, rows.info().height, width, height, options.wrap_s,
                  options.wrap_t),
       width_(width)
 {
-    rows.choose(choose_color_channels(rows.info()));
-    source_alpha_ = rows.has_alpha();
+    rows.choose(choose_color_channels(rows.info()),
+                options.alpha_weight || rows.info().premultiplied);
+    weigh_ = rows.has_alpha() && options.alpha_weight;
+    divide_ = rows.has_alpha() && rows.info().premultiplied;
 }
 
 void ColorReader::rewind(bool last_time)
@@ -26,18 +28,18 @@ void ColorReader::rewind(bool last_time)
 void ColorReader::read(int y, int count, std::vector<float>& color, Rejects& rejects)
 {
     const auto texels = static_cast<size_t>(count) * static_cast<size_t>(width_);
-    const size_t channels = source_alpha_ ? 4 : 3;
+    const size_t channels = weigh_ ? 4 : 3;
     interleaved_.resize(texels * channels);
     resampler_.read(
         count, channels, [this](int row_count, float* out) { read_linear(row_count, out); },
         interleaved_.data());
     color.resize(texels * 3);
-    alpha.resize(source_alpha_ ? texels : 0);
+    alpha.resize(weigh_ ? texels : 0);
     for (size_t i = 0; i < texels; ++i) {
         const float* from = &interleaved_[i * channels];
         for (size_t c = 0; c < 3; ++c)
-            color[i * 3 + c] = source_alpha_ && from[3] > 0 ? from[c] / from[3] : from[c];
-        if (source_alpha_)
+            color[i * 3 + c] = weigh_ && from[3] > 0 ? from[c] / from[3] : from[c];
+        if (weigh_)
             alpha[i] = from[3];
         for (int c = 0; c < 3; ++c)
             if (!std::isfinite(from[c])) {
@@ -56,16 +58,16 @@ void ColorReader::read_linear(int count, float* out)
     linear_.resize(texels * 3);
     for (size_t i = 0; i < texels; ++i) {
         const float* from = pixels + i * stride;
-        const bool divide = source_alpha_ && rows.info().premultiplied && from[3] > 0;
+        const bool divide = divide_ && from[3] > 0;
         for (size_t c = 0; c < 3; ++c)
             linear_[i * 3 + c] = divide ? from[c] / from[3] : from[c];
     }
     conversion.apply(linear_.data(), static_cast<long>(texels));
     for (size_t i = 0; i < texels; ++i) {
-        const float a = source_alpha_ ? pixels[i * stride + 3] : 1;
+        const float a = weigh_ ? pixels[i * stride + 3] : 1;
         for (size_t c = 0; c < 3; ++c)
             *out++ = linear_[i * 3 + c] * a;
-        if (source_alpha_)
+        if (weigh_)
             *out++ = a;
     }
 }

@@ -18,13 +18,13 @@ public:
 
     void rewind(bool last_time);
 
-    /// The next rows, linear, with alpha divided out of it where the file has it multiplied in and
-    /// alpha is the weight. Texels that are not finite are counted.
+    /// The next rows, linear, with alpha divided out of them where the file has it multiplied in;
+    /// where it is 0 the color is as the file has it. Texels that are not finite are counted.
     void read(int y, int count, std::vector<float>& color, Rejects& rejects);
 
     ChannelRows rows;
     ColorConversion conversion;
-    std::vector<float> alpha; ///< of the rows just read; empty without
+    std::vector<float> alpha; ///< the weight of the rows just read; empty without
 
 private:
     /// Rows of the file, linear, times alpha where alpha is the weight: what resampling may
@@ -33,7 +33,8 @@ private:
 
     RowResampler resampler_;
     int width_;
-    bool source_alpha_ = false;
+    bool weigh_ = false;  ///< alpha is the weight
+    bool divide_ = false; ///< color is multiplied by alpha in the file
     std::vector<float> linear_, interleaved_;
 };
 

@@ -88,7 +88,7 @@ void FileSource::read(int count, SurfaceRows& rows)
         color_->read(next_row_, count, rows.color, rejects_);
     next_row_ += count;
 
-    // Alpha of the color map goes before alpha of the height map.
+    // Alpha of the color texture goes before alpha of the height map.
     const std::vector<float>& own = height_ ? height_->alpha : normal_->alpha;
     rows.weight = color_ && !color_->alpha.empty() ? color_->alpha : own;
 
@@ -134,8 +134,8 @@ std::vector<std::string> FileSource::notes() const
     std::vector<std::string> notes =
         height_ ? height_->rows.info().notes : normal_->rows.info().notes;
     if (color_)
-        for (const auto& note : color_->rows.info().notes)
-            notes.push_back(note);
+        for (const auto* more : {&color_->rows.info().notes, &color_->conversion.notes()})
+            notes.insert(notes.end(), more->begin(), more->end());
     return notes;
 }
 

@@ -14,16 +14,17 @@ class ColorReader;
 class HeightReader;
 class NormalReader;
 
-/// A surface from a height or normal map and, if given, a color map.
+/// A surface from a height or normal map and, if given, a color texture.
 ///
 /// Heights become world units (offset + scale * value), normals slopes (-nx/nz, -ny/nz), colors
-/// scene-linear. A texel is without data when its height, normal or color is not finite, when its
-/// normal does not face outward (nz <= 0), when its height is the --no-data value, or, with
+/// scene-linear and free of their alpha, as if the file were not premultiplied. A texel is without
+/// data when its height, normal or color is not finite, when its normal does not face outward (nz
+/// <= 0), when its height is the --no-data value, or, with
 /// --alpha-weight, when its alpha is 0 or less.
 class FileSource final : public Source {
 public:
     /// Throws Error when a file cannot be used: see ImageRows; also when the sizes differ without
-    /// --resample, when the height channel is not clear, when a normal map or a color map has
+    /// --resample, when the height channel is not clear, when a normal map or a color texture has
     /// fewer than 3 channels, when --alpha-weight finds no alpha.
     explicit FileSource(const BakeOptions& options);
     ~FileSource() override;

@@ -25,12 +25,11 @@ int choose_height_channel(const ImageInfo& info, const BakeOptions& options)
 } // namespace
 
 HeightReader::HeightReader(const BakeOptions& options)
-    : rows(options.height_file, options.alpha_weight), scale_(options.height_scale),
-      offset_(options.height_offset)
+    : rows(options.height_file), scale_(options.height_scale), offset_(options.height_offset)
 {
     if (options.no_data_height) // as the file holds it, so that a decimal number finds its float
         no_data_ = static_cast<float>(*options.no_data_height);
-    rows.choose({choose_height_channel(rows.info(), options)});
+    rows.choose({choose_height_channel(rows.info(), options)}, options.alpha_weight);
 }
 
 void HeightReader::read(int y, int count, std::vector<double>& height, Rejects& rejects)

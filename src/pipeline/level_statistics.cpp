@@ -47,7 +47,7 @@ void LevelStatistics::texels(int level, int /*y*/, int x0, int count, MomentRow 
     sums.texels += count;
     for (int i = 0; i < count; ++i)
         sums.weight += weight[i];
-    const int last_summed = layout_.slope_tail >= 0 ? layout_.slope_tail : layout_.planes;
+    const int last_summed = layout_.slope_tail >= 0 ? layout_.slope_tail : layout_.merged_planes;
     for (int plane = 1; plane < last_summed; ++plane) {
         sums.planes[static_cast<size_t>(plane)] += weighted_sum(weight, row.plane(plane), count);
     }
@@ -112,15 +112,6 @@ std::vector<LevelSummary> LevelStatistics::summaries() const
         if (layout_.color >= 0)
             level.mean_color = {mean(layout_.color), mean(layout_.color + 1),
                                 mean(layout_.color + 2)};
-        if (layout_.color_height >= 0) {
-            std::array<double, 3> correlation{};
-            for (int c = 0; c < 3; ++c) {
-                const double product = mean(layout_.color_var + c) * mean(layout_.height_var);
-                correlation[static_cast<size_t>(c)] =
-                    product > 0 ? mean(layout_.color_height + c) / std::sqrt(product) : 0;
-            }
-            level.color_height_correlation = correlation;
-        }
         levels.push_back(level);
     }
     return levels;

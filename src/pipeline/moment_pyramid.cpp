@@ -32,6 +32,8 @@ MomentPyramid::MomentPyramid(const MomentLayout& layout, int width, int height,
         w = next_w;
         h = next_h;
     }
+    if (layout.rank >= 0)
+        profiles_.emplace(layout, width, height);
 }
 
 MomentRow MomentPyramid::row(Level& level, int y) const
@@ -73,29 +75,43 @@ void MomentPyramid::make(int level, int rows, const Fill& fill)
     for (TexelVisitor* visitor : visitors_)
         visitor->rows_begin(level, begin, end);
 
+    if (profiles_)
+        profiles_->rows_begin(level, begin, end);
     const int blocks = (own.width + kBlockColumns - 1) / kBlockColumns;
     tbb::parallel_for(0, blocks, [&](int block) {
-        const int x0 = block * kBlockColumns;
-        const int x1 = std::min(own.width, x0 + kBlockColumns);
-        for (int y = begin; y < end; ++y) {
-            const MomentRow out = row(own, y);
-            if (level == 0) {
-                fill(y, x0, x1 - x0, out.from(x0));
-            } else {
-                Level& fine = levels_[static_cast<size_t>(level) - 1];
-                const Share share = share_of(y, fine.height, own.height);
-                MomentRow fine_rows[3];
-                for (int k = 0; k < share.count; ++k)
-                    fine_rows[k] = row(fine, share.first + k);
-                reductions_[static_cast<size_t>(level) - 1].row(fine_rows, share, x0, x1, out);
-            }
-            for (TexelVisitor* visitor : visitors_)
-                visitor->texels(level, y, x0, x1 - x0, out.from(x0));
-        }
+        for (int y = begin; y < end; ++y)
+            make_run(level, y, block, fill);
     });
     own.done = end;
+    if (profiles_)
+        profiles_->rows_end(level, end);
     for (TexelVisitor* visitor : visitors_)
         visitor->rows_end(level, end);
+}
+
+void MomentPyramid::make_run(int level, int y, int block, const Fill& fill)
+{
+    Level& own = levels_[static_cast<size_t>(level)];
+    const int x0 = block * kBlockColumns;
+    const int count = std::min(kBlockColumns, own.width - x0);
+    const MomentRow out = row(own, y);
+    if (level == 0) {
+        fill(y, x0, count, out.from(x0));
+    } else {
+        Level& fine = levels_[static_cast<size_t>(level) - 1];
+        const Share share = share_of(y, fine.height, own.height);
+        MomentRow fine_rows[3];
+        for (int k = 0; k < share.count; ++k)
+            fine_rows[k] = row(fine, share.first + k);
+        reductions_[static_cast<size_t>(level) - 1].row(fine_rows, share, x0, x0 + count, out);
+    }
+    const ProfileRow* profiles =
+        profiles_ ? &profiles_->make(level, y, x0, count, out.from(x0)) : nullptr;
+    for (TexelVisitor* visitor : visitors_) {
+        visitor->texels(level, y, x0, count, out.from(x0));
+        if (profiles != nullptr)
+            visitor->profiles(level, y, x0, count, out.from(x0), *profiles);
+    }
 }
 
 } // namespace scree

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "pipeline/profile_pyramid.h"
 #include "stats/moment_layout.h"
 #include "stats/pyramid.h"
 
@@ -19,6 +21,12 @@ public:
     /// `count` texels of one row, from column x0 on. Columns come in fixed blocks of
     /// kBlockColumns; different blocks on different threads, the rows of a block in order.
     virtual void texels(int level, int y, int x0, int count, MomentRow row) = 0;
+
+    /// The same texels by height rank, right after texels(); only where the layout has ranks.
+    /// `profiles` is to be asked for columns from x0 to x0 + count - 1.
+    virtual void profiles(int /*level*/, int /*y*/, int /*x0*/, int /*count*/, MomentRow /*row*/,
+                          const ProfileRow& /*profiles*/)
+    {}
 
     /// All rows below `end` of the level are made. One thread.
     virtual void rows_end(int /*level*/, int /*end*/) {}
@@ -51,11 +59,13 @@ private:
     [[nodiscard]] MomentRow row(Level& level, int y) const;
     void push_batch(int rows, const Fill& fill);
     void make(int level, int rows, const Fill& fill);
+    void make_run(int level, int y, int block, const Fill& fill);
 
     MomentLayout layout_;
     std::vector<TexelVisitor*> visitors_;
     std::vector<Level> levels_;
-    std::vector<Reduction> reductions_; ///< [l] makes level l + 1
+    std::vector<Reduction> reductions_;      ///< [l] makes level l + 1
+    std::optional<ProfilePyramid> profiles_; ///< where the layout has ranks
 };
 
 } // namespace scree

@@ -9,14 +9,14 @@
 namespace scree {
 
 NormalReader::NormalReader(const BakeOptions& options)
-    : rows(options.height_file, options.alpha_weight), sign_x_(options.invert_x ? 1 : -1),
+    : rows(options.height_file), sign_x_(options.invert_x ? 1 : -1),
       sign_y_(options.invert_y ? 1 : -1)
 {
     if (rows.info().channels.size() < 3)
         throw Error(fmt::format("{}: {} channels, expected the 3 of a normal map; for a height "
                                 "map leave --input normal out",
                                 rows.info().path, rows.info().channels.size()));
-    rows.choose(choose_color_channels(rows.info()));
+    rows.choose(choose_color_channels(rows.info()), options.alpha_weight);
     signed_ = options.normal_range == NormalRange::signed_unit ||
               (options.normal_range == NormalRange::automatic && looks_signed());
 }

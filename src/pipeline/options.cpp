@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "math/error.h"
+#include "stats/ranks.h"
 
 namespace scree {
 
@@ -66,6 +67,22 @@ void expect_sensible(const BakeOptions& options)
         throw Error("--half-tolerance must be 0 or more");
     if (options.output.empty())
         throw Error("no output folder; give -o DIR");
+    if (!options.color_file.empty() && !options.colormap_file.empty())
+        throw Error("--color and --colormap both say what color the surface has; give one of them");
+    if (options.map_range && !((*options.map_range)[0] < (*options.map_range)[1]))
+        throw Error(fmt::format("--map-range: {} to {} is no range; give the lower end first",
+                                (*options.map_range)[0], (*options.map_range)[1]));
+    if (options.auto_maps && !options.maps.empty())
+        throw Error("--maps auto chooses by itself; give auto, or the maps to bake");
+    if (!(options.max_view_angle_deg >= 0 && options.max_view_angle_deg < 90))
+        throw Error(fmt::format("--max-view-angle {}: must be 0 (from above) to below 90 degrees",
+                                options.max_view_angle_deg));
+    if (!(options.model_tolerance > 0))
+        throw Error("--model-tolerance must be above 0");
+    if (!(options.map_tolerance > 0))
+        throw Error("--map-tolerance must be above 0");
+    if (options.rank_terms < 1 || options.rank_terms > kMaxRankTerms)
+        throw Error(fmt::format("--rank-terms must be 1 to {}", kMaxRankTerms));
     if (options.layout == Layout::bumpslopes && !options.maps.empty())
         throw Error("--maps goes with --layout scree; bumpslopes is one file of its own");
 }
@@ -110,6 +127,23 @@ NormalRange normal_range_named(const std::string& name)
                               {{"auto", NormalRange::automatic},
                                {"unsigned", NormalRange::unsigned_unit},
                                {"signed", NormalRange::signed_unit}});
+}
+
+MapBy map_by_named(const std::string& name, bool azimuth_given)
+{
+    const bool by_slope = named<bool>("--map-by", name, {{"height", false}, {"slope", true}});
+    if (azimuth_given && !by_slope)
+        throw Error("--map-azimuth is a direction of the slope; give --map-by slope");
+    if (!by_slope)
+        return MapBy::height;
+    return azimuth_given ? MapBy::slope : MapBy::slope_magnitude;
+}
+
+std::string map_by_name(MapBy by)
+{
+    return name_of<MapBy>(by, {{"height", MapBy::height},
+                               {"slope", MapBy::slope},
+                               {"slope magnitude", MapBy::slope_magnitude}});
 }
 
 bool input_is_normal(const std::string& name)

@@ -20,6 +20,13 @@ enum class PixelTypeChoice { automatic, half, float32 };
 enum class Layout { scree, bumpslopes };
 enum class NormalRange { automatic, unsigned_unit, signed_unit };
 
+/// What a color map is a function of.
+enum class MapBy {
+    height,          ///< world units
+    slope,           ///< the slope along an azimuth
+    slope_magnitude, ///< sqrt(s^2 + t^2)
+};
+
 /// Everything a bake depends on; equal options and inputs give equal bytes.
 struct BakeOptions {
     std::filesystem::path height_file; ///< height map, or normal map with `normal_input`
@@ -44,8 +51,20 @@ struct BakeOptions {
     bool alpha_weight = false; ///< texels count by their alpha
     bool resample = false;     ///< color of another size is resampled to the height's
     std::string ocio_config, color_space;
+    std::string working_space; ///< scene-linear, of the config; empty: its role scene_linear
 
-    std::vector<Map> maps; ///< empty: those the inputs allow
+    std::filesystem::path colormap_file; ///< color map instead of a color file; empty: none
+    MapBy map_by = MapBy::height;
+    double map_azimuth_deg = 0; ///< from +s towards +t, for MapBy::slope
+    /// What the map's ends stand for, world units or slope; see placed() in mapped_color.h.
+    std::optional<std::array<double, 2>> map_range;
+    double map_tolerance = 0.01; ///< of the table T(mean, deviation), see color/filtered_map.h
+
+    std::vector<Map> maps;  ///< empty: those the inputs allow
+    bool auto_maps = false; ///< drop those of them that no view needs (pipeline/model_errors.h)
+    double max_view_angle_deg = 85; ///< from the normal; the steepest view that auto_maps looks at
+    double model_tolerance = 0.01;  ///< of the visible color, relative, see pipeline/model_errors.h
+    int rank_terms = kDefaultRankTerms; ///< of a rank table, 1 to 8
     PixelTypeChoice pixel_type = PixelTypeChoice::automatic;
     double half_tolerance = 0.01; ///< see pipeline/storage_error.h
     Compression compression = Compression::zip;
@@ -76,5 +95,9 @@ Layout layout_named(const std::string& name);
 std::string layout_name(Layout layout);
 NormalRange normal_range_named(const std::string& name);
 bool input_is_normal(const std::string& name);
+/// height, or slope: with an azimuth the slope along it, without its magnitude.
+MapBy map_by_named(const std::string& name, bool azimuth_given);
+/// "height", "slope" or "slope magnitude".
+std::string map_by_name(MapBy by);
 
 } // namespace scree

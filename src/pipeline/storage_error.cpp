@@ -34,9 +34,9 @@ template <class Store>
 double StorageError::largest_error(MomentRow row, int count) const
 {
     using Bits = typename Store::Bits;
-    Bits values[6][kTileSize];
-    Bits* stored[6];
-    for (int c = 0; c < 6; ++c)
+    Bits values[kMostChannels][kTileSize];
+    Bits* stored[kMostChannels];
+    for (int c = 0; c < kMostChannels; ++c)
         stored[c] = values[c];
     texture_values<Store>(map_, layout_, row, count, scale_, stored);
 
@@ -85,11 +85,21 @@ double StorageError::largest_error(MomentRow row, int count) const
                              layout_.slope_t, i);
             }
             break;
+        case Map::rank: {
+            const int terms = layout_.rank_terms;
+            for (int n = 0; n < terms; ++n)
+                for (int c = 0; c < 3; ++c)
+                    note(std::abs(value((2 - c) * terms + n, i) -
+                                  truth(layout_.rank + 3 * n + c, i)));
+            break;
+        }
         case Map::tail:
             note(std::abs(value(0, i) - tail_of(layout_, row, i).tau));
             break;
         case Map::coverage:
             note(std::abs(value(0, i) - truth(MomentLayout::weight, i)));
+            break;
+        case Map::map:
             break;
         }
     }
@@ -158,10 +168,12 @@ double StorageError::yardstick(const Largest& level, const Largest& next) const
     case Map::color:
         return level.color;
     case Map::colorheight:
+    case Map::rank:
         return std::max(color_deviation_, kResolved * largest_color_);
     case Map::colorslope:
         return std::max(color_deviation_, kResolved * largest_color_) * slope_deviation_;
     case Map::height:
+    case Map::map:
     case Map::tail:
     case Map::coverage:
         break;

@@ -18,6 +18,7 @@ namespace scree {
 ///   color              mean color, over the largest of the map
 ///   colorheight        covariance with hn, over the map's standard deviation of color
 ///   colorslope         covariance with the slope, over the standard deviations of color and slope
+///   rank               a coefficient, over the map's standard deviation of color
 ///   tail, coverage     the number itself
 /// Where a level's slope varies less than float resolves (1e-6 of its mean square) that is the
 /// yardstick. A number beyond the type's range counts as an error of kLost.

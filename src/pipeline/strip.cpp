@@ -98,10 +98,10 @@ bool StripReader::next(Strip& strip)
 }
 
 TexelMoments::TexelMoments(const MomentLayout& layout, const Survey& survey,
-                           const BakeOptions& options, int width, double texel_width,
-                           double texel_height)
-    : layout_(layout), survey_(survey), reconstruction_(options.reconstruction), width_(width),
-      texel_width_(texel_width), texel_height_(texel_height)
+                           const BakeOptions& options, const MappedColor* mapped, int width,
+                           double texel_width, double texel_height)
+    : layout_(layout), survey_(survey), mapped_(mapped), reconstruction_(options.reconstruction),
+      width_(width), texel_width_(texel_width), texel_height_(texel_height)
 {}
 
 namespace {
@@ -156,22 +156,49 @@ void TexelMoments::fill(const Strip& strip, int y, int x0, int count, MomentRow 
             moments(layout_, reconstruction_, heights.from(done), std::min(kMergeRun, count - done),
                     texel_width_, texel_height_, out.from(done));
     }
-    if (layout_.height >= 0) {
-        double* h = out.plane(layout_.height);
-        const double per_h1 = 1 / survey_.h1;
+    if (layout_.height >= 0)
+        fill_heights(presence, count, out);
+    if (layout_.color >= 0 && mapped_ != nullptr)
+        fill_mapped_colors(presence, count, out);
+    else if (layout_.color >= 0)
+        fill_colors(&in.color[3 * begin], count, out);
+}
+
+void TexelMoments::fill_heights(const double* heights, int count, MomentRow out) const
+{
+    double* h = out.plane(layout_.height);
+    const double per_h1 = 1 / survey_.h1;
+    for (int x = 0; x < count; ++x)
+        h[x] = std::isnan(heights[x]) ? 0 : (heights[x] - survey_.h0) * per_h1;
+}
+
+// A texel without data holds the map's mean color, for what a filter blends in.
+
+void TexelMoments::fill_colors(const float* rgb, int count, MomentRow out) const
+{
+    const double* weight = out.plane(MomentLayout::weight);
+    for (int c = 0; c < 3; ++c) {
+        double* mean = out.plane(layout_.color + c);
+        const double fill = static_cast<double>(survey_.mean_color[static_cast<size_t>(c)]);
         for (int x = 0; x < count; ++x)
-            h[x] = std::isnan(presence[x]) ? 0 : (presence[x] - survey_.h0) * per_h1;
+            mean[x] = weight[x] > 0 ? static_cast<double>(rgb[3 * x + c]) : fill;
     }
-    if (layout_.color >= 0)
-        for (int c = 0; c < 3; ++c) {
-            // A texel without data holds the map's mean color, for what a filter blends in.
-            double* mean = out.plane(layout_.color + c);
-            const float* color = &in.color[3 * begin + static_cast<size_t>(c)];
-            const double fill = static_cast<double>(survey_.mean_color[static_cast<size_t>(c)]);
-            for (int x = 0; x < count; ++x)
-                mean[x] =
-                    weight[x] > 0 ? static_cast<double>(color[3 * static_cast<size_t>(x)]) : fill;
-        }
+}
+
+void TexelMoments::fill_mapped_colors(const double* heights, int count, MomentRow out) const
+{
+    const double* weight = out.plane(MomentLayout::weight);
+    const bool by_slope = mapped_->by != MapBy::height;
+    const double* s = by_slope ? out.plane(layout_.slope_s) : nullptr;
+    const double* t = by_slope ? out.plane(layout_.slope_t) : nullptr;
+    const Rgb fill = mapped_->without_data(survey_);
+    for (int x = 0; x < count; ++x) {
+        const Rgb color = !(weight[x] > 0) ? fill
+                          : by_slope       ? mapped_->at(0, s[x], t[x])
+                                           : mapped_->at(heights[x], 0, 0);
+        for (int c = 0; c < 3; ++c)
+            out.plane(layout_.color + c)[x] = color[static_cast<size_t>(c)];
+    }
 }
 
 } // namespace scree

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "pipeline/mapped_color.h"
 #include "pipeline/options.h"
 #include "pipeline/source.h"
 #include "pipeline/survey.h"
@@ -44,15 +45,21 @@ private:
 /// Level-0 moments from strips.
 class TexelMoments {
 public:
+    /// mapped  colors texels instead of the source; may be null
     TexelMoments(const MomentLayout& layout, const Survey& survey, const BakeOptions& options,
-                 int width, double texel_width, double texel_height);
+                 const MappedColor* mapped, int width, double texel_width, double texel_height);
 
     /// Texels [x0, x0 + count) of row `y` of the map, which lies in `strip`.
     void fill(const Strip& strip, int y, int x0, int count, MomentRow out) const;
 
 private:
+    void fill_heights(const double* heights, int count, MomentRow out) const;
+    void fill_colors(const float* rgb, int count, MomentRow out) const;
+    void fill_mapped_colors(const double* heights, int count, MomentRow out) const;
+
     MomentLayout layout_;
     const Survey& survey_;
+    const MappedColor* mapped_;
     Reconstruction reconstruction_;
     int width_;
     double texel_width_, texel_height_;

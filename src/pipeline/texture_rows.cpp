@@ -40,7 +40,6 @@ template <class Store>
 void TextureRows::store_texels(int level, int y, int x0, int count, MomentRow row)
 {
     using Bits = typename Store::Bits;
-    constexpr int kMostChannels = 6;
     static_assert(kBlockColumns % kTileSize == 0, "a block is whole tiles");
     const int channels = static_cast<int>(file_.layout().channels.size());
     TileRow& tiles = open_row(level, y);

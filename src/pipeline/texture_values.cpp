@@ -62,6 +62,12 @@ void texture_values(Map map, const MomentLayout& layout, MomentRow row, int coun
                                   row.plane(layout.slope_t), count, stored[5 - 2 * c]);
         }
         break;
+    case Map::rank: // B1 ... BK G1 ... GK R1 ... RK
+        for (int n = 0; n < layout.rank_terms; ++n)
+            for (int c = 0; c < 3; ++c)
+                store_values(row.plane(layout.rank + 3 * n + c), count,
+                             stored[(2 - c) * layout.rank_terms + n]);
+        break;
     case Map::tail:
         for (int i = 0; i < count; ++i)
             scratch[i] = tail_of(layout, row, i).tau;
@@ -69,6 +75,9 @@ void texture_values(Map map, const MomentLayout& layout, MomentRow row, int coun
         break;
     case Map::coverage:
         store_values(row.plane(MomentLayout::weight), count, stored[0]);
+        break;
+    case Map::map:
+        assert(false && "a table of its own, see pipeline/color_table.h");
         break;
     case Map::bumpslopes: // h s t ss tt st
         for (int i = 0; i < count; ++i)
@@ -85,7 +94,7 @@ template void texture_values<StoreFloat>(Map, const MomentLayout&, MomentRow, in
 template void texture_values<StoreHalf>(Map, const MomentLayout&, MomentRow, int, const ValueScale&,
                                         StoreHalf::Bits* const*);
 
-void require_moments(Map map, MomentSet& set)
+void require_moments(Map map, int rank_terms, MomentSet& set)
 {
     switch (map) {
     case Map::slope:
@@ -103,9 +112,14 @@ void require_moments(Map map, MomentSet& set)
     case Map::colorslope:
         set.color = set.slope = set.color_slope = true;
         break;
+    case Map::rank: // with the variance of color, which its fit is held against
+        set.color = set.height = set.color_height = true;
+        set.rank_terms = rank_terms;
+        break;
     case Map::tail:
         set.slope = set.tail = true;
         break;
+    case Map::map: // looked up with moments that other maps hold
     case Map::coverage:
         break;
     case Map::bumpslopes: // its height is dropped again for a normal map, see bake.cpp

@@ -2,6 +2,7 @@
 
 #include "math/storage.h"
 #include "stats/moment_layout.h"
+#include "stats/ranks.h"
 #include "texset/channels.h"
 
 namespace scree {
@@ -21,7 +22,12 @@ template <class Store>
 void texture_values(Map map, const MomentLayout& layout, MomentRow row, int count,
                     const ValueScale& scale, typename Store::Bits* const* stored);
 
+/// The most channels a map has.
+constexpr int kMostChannels = 3 * kMaxRankTerms;
+
 /// Which moments a map needs.
-void require_moments(Map map, MomentSet& set);
+///
+/// rank_terms  of a rank table, 1 to kMaxRankTerms
+void require_moments(Map map, int rank_terms, MomentSet& set);
 
 } // namespace scree

@@ -334,7 +334,8 @@ TEST(Bake, LevelSummariesAreThoseOfTheOracle)
         EXPECT_NEAR(*ours.rms_slope, std::sqrt((inside + square) / weight), 1e-12);
         EXPECT_NEAR(*ours.height_sigma, std::sqrt(height / weight) * truth.h1, 1e-10);
         if (l > 0) {
-            EXPECT_NEAR((*ours.color_height_correlation)[1], cov / std::sqrt(var * hvar), 1e-9);
+            EXPECT_NEAR((*ours.color_fit->height_correlation)[1], cov / std::sqrt(var * hvar),
+                        1e-9);
         }
     }
 }

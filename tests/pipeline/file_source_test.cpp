@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "math/error.h"
+#include "support/color.h"
 #include "support/files.h"
 #include "support/random_image.h"
 
@@ -286,11 +287,7 @@ TEST_F(FileSourceTest, ANormalMapNeedsThreeChannels)
 
 // --- color ---------------------------------------------------------------------------------------
 
-// IEC 61966-2-1; OpenColorIO's curve stays within 7.6e-7 of it (color_space_test.cpp).
-double linear_of_srgb(double v)
-{
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
+constexpr double kSrgb = 8e-7; // OpenColorIO's curve is that close to the standard's, absolutely
 
 TEST_F(FileSourceTest, LinearColorPassesUntouchedAndEncodedColorIsUndone)
 {
@@ -309,7 +306,7 @@ TEST_F(FileSourceTest, LinearColorPassesUntouchedAndEncodedColorIsUndone)
     ASSERT_EQ(rows.color.size(), color.pixels.size());
     for (size_t i = 0; i < rows.color.size(); ++i) {
         const double code = std::round(static_cast<double>(color.pixels[i]) * 255);
-        EXPECT_NEAR(static_cast<double>(rows.color[i]), linear_of_srgb(code / 255), 8e-7);
+        EXPECT_NEAR(static_cast<double>(rows.color[i]), linear_of_srgb(code / 255), kSrgb);
     }
     EXPECT_EQ(source.records()[1].color_space, "srgb_tx");
     EXPECT_EQ(source.records()[1].role, "color");
@@ -323,8 +320,11 @@ TEST_F(FileSourceTest, OneGrayChannelStandsForAllThree)
         add_color(options, gray);
         FileSource source(options);
         const SurfaceRows rows = read_all(source);
-        for (int i = 0; i < 75; ++i)
-            EXPECT_EQ(rows.color[static_cast<size_t>(i)], gray.at(i / 3 % 5, i / 15, 0));
+        for (int i = 0; i < 75; ++i) {
+            const int x = i / 3 % 5, y = i / 15;
+            const float alpha = channels.size() == 2 ? gray.at(x, y, 1) : 1; // multiplied in
+            EXPECT_EQ(rows.color[static_cast<size_t>(i)], gray.at(x, y, 0) / alpha);
+        }
     }
     add_color(options, random_image(5, 5, {"u", "v"}, 9));
     EXPECT_TRUE(contains(error_of(options), "2 channels")) << error_of(options);
@@ -373,6 +373,139 @@ TEST_F(FileSourceTest, DifferentSizesAreAnErrorThatNamesBothUnlessResampled)
         EXPECT_NEAR(c, 0.25F, 2e-7F); // float weights sum to 1 that closely
 }
 
+// --- color spaces, against the standards' own formulas ------------------------------------------
+
+TEST_F(FileSourceTest, ATaggedAndAnUntaggedPngAreSrgb)
+{
+    const Image picture{2, 1, kRgb, {0.2F, 0.02F, 1, 0.51F, 0.71F, 0}};
+    BakeOptions options = height(Image{2, 1, {"Y"}, {1, 2}});
+    options.color_file = temp_ / "c.png";
+    for (const std::string profile : {"", "chunk", "sRGB IEC61966-2.1"}) {
+        write_image_with(options.color_file, picture, "uint16", [&](OIIO::ImageSpec& spec) {
+            if (profile == "chunk")
+                spec.attribute("oiio:ColorSpace", "sRGB");
+            else if (!profile.empty())
+                set_icc_profile(spec, profile);
+        });
+        FileSource source(options);
+        const SurfaceRows rows = read_all(source);
+        for (size_t i = 0; i < 6; ++i) {
+            const double code = std::round(static_cast<double>(picture.pixels[i]) * 65535) / 65535;
+            EXPECT_NEAR(static_cast<double>(rows.color[i]), linear_of_srgb(code), kSrgb) << profile;
+        }
+        EXPECT_TRUE(source.notes().empty()) << profile;
+    }
+}
+
+TEST_F(FileSourceTest, AnotherProfileIsReadAsTheFormatsHabitAndNoted)
+{
+    const Image picture{1, 1, kRgb, {0.2F, 0.6F, 1}};
+    BakeOptions options = height(Image{1, 1, {"Y"}, {1}});
+    options.color_file = temp_ / "c.png";
+    write_image_with(options.color_file, picture, "uint8",
+                     [](OIIO::ImageSpec& spec) { set_icc_profile(spec, "Display P3"); });
+    FileSource source(options);
+    EXPECT_NEAR(static_cast<double>(read_all(source).color[1]), linear_of_srgb(0.6), kSrgb);
+    ASSERT_EQ(source.notes().size(), 1U);
+    for (const char* part : {"c.png", "'Display P3'", "'srgb_tx'", "--color-space"})
+        EXPECT_TRUE(contains(source.notes()[0], part)) << source.notes()[0];
+    options.color_space = "srgb_tx";
+    EXPECT_TRUE(FileSource(options).notes().empty());
+}
+
+TEST_F(FileSourceTest, ARawExrKeepsItsNumbers)
+{
+    const Image data{2, 1, kRgb, {-0.5F, 1e-30F, 70000, 0.25F, 3, -7}};
+    BakeOptions options = height(Image{2, 1, {"Y"}, {1, 2}});
+    add_color(options, data);
+    for (const char* space : {"", "raw", "Raw", "data"}) {
+        options.color_space = space;
+        FileSource source(options);
+        EXPECT_EQ(read_all(source).color, data.pixels) << space;
+    }
+    options.color_space = "raw";
+    options.working_space = "ACEScg";
+    FileSource source(options);
+    EXPECT_EQ(read_all(source).color, data.pixels) << "data are of no space";
+    EXPECT_EQ(source.working_space(), "acescg");
+    EXPECT_EQ(source.records()[1].color_space, "raw");
+}
+
+TEST_F(FileSourceTest, ChromaticitiesOfAnExrNameItsPrimaries)
+{
+    const Image picture{2, 1, kRgb, {0.5F, 0.25F, 0.125F, 0.0625F, 4, 0.75F}};
+    BakeOptions options = height(Image{2, 1, {"Y"}, {1, 2}});
+    options.color_file = temp_ / "c.exr";
+    const std::tuple<const char*, Primaries> inputs[] = {
+        {"lin_rec709", kRec709}, {"aces_ap0", kAp0}, {"acescg", kAp1}};
+    const std::tuple<const char*, Primaries> outputs[] = {{"", kRec709}, {"ACEScg", kAp1}};
+    for (const auto& [name, from] : inputs)
+        for (const auto& [working, to] : outputs) {
+            const Primaries& xy = from; // structured bindings cannot be captured
+            write_image_with(options.color_file, picture, "float",
+                             [&xy](OIIO::ImageSpec& spec) { set_chromaticities(spec, xy); });
+            options.working_space = working;
+            FileSource source(options);
+            const SurfaceRows rows = read_all(source);
+            const Matrix m = rgb_to_rgb(from, to);
+            for (size_t i = 0; i < 6; i += 3) {
+                const Rgb want = times(m, {static_cast<double>(picture.pixels[i]),
+                                           static_cast<double>(picture.pixels[i + 1]),
+                                           static_cast<double>(picture.pixels[i + 2])});
+                for (size_t c = 0; c < 3; ++c) // sums of terms of up to 8 in float
+                    EXPECT_NEAR(static_cast<double>(rows.color[i + c]), want[c], 4e-6)
+                        << name << " to " << working;
+            }
+            EXPECT_EQ(source.records()[1].color_space, name);
+            EXPECT_TRUE(source.notes().empty());
+        }
+}
+
+TEST_F(FileSourceTest, UnknownPrimariesAreNoted)
+{
+    BakeOptions options = height(Image{1, 1, {"Y"}, {1}});
+    options.color_file = temp_ / "c.exr";
+    Primaries odd = kRec709;
+    odd[0] = 0.7;
+    write_image_with(options.color_file, Image{1, 1, kRgb, {0.5F, 0.25F, 0.125F}}, "float",
+                     [&](OIIO::ImageSpec& spec) { set_chromaticities(spec, odd); });
+    FileSource source(options);
+    EXPECT_EQ(read_all(source).color, (std::vector<float>{0.5F, 0.25F, 0.125F}));
+    ASSERT_EQ(source.notes().size(), 1U);
+    for (const char* part : {"c.exr", "primaries (0.7, 0.33)", "'lin_rec709'", "--color-space"})
+        EXPECT_TRUE(contains(source.notes()[0], part)) << source.notes()[0];
+}
+
+// A texture of the ACES studio's: linear AP1, which nothing in its header says.
+TEST_F(FileSourceTest, ARealAcescgTextureGoesToTheWorkingSpace)
+{
+    const auto folder = data_folder() / "heights/structured/bricks_02_256";
+    BakeOptions options;
+    options.height_file = folder / "bricks_02_height_2k_raw.exr";
+    options.height_channel = "0";
+    options.color_file = folder / "bricks_02_basecolor_2k_acescg.exr";
+    if (data_folder().empty() || !std::filesystem::exists(options.color_file))
+        GTEST_SKIP() << "no " << options.color_file;
+    options.color_space = "acescg";
+    const Image file = read_levels(options.color_file)[0];
+    {
+        FileSource source(options);
+        const SurfaceRows rows = read_all(source);
+        ASSERT_EQ(rows.color.size(), file.pixels.size());
+        const Matrix m = rgb_to_rgb(kAp1, kRec709);
+        for (size_t i = 0; i < file.pixels.size(); i += 3) {
+            const Rgb want = times(m, {static_cast<double>(file.pixels[i]),
+                                       static_cast<double>(file.pixels[i + 1]),
+                                       static_cast<double>(file.pixels[i + 2])});
+            for (size_t c = 0; c < 3; ++c)
+                ASSERT_NEAR(static_cast<double>(rows.color[i + c]), want[c], 1e-6) << i / 3;
+        }
+    }
+    options.working_space = "acescg";
+    FileSource source(options);
+    EXPECT_EQ(read_all(source).color, file.pixels);
+}
+
 // --- alpha ---------------------------------------------------------------------------------------
 
 TEST_F(FileSourceTest, AlphaOfAPngWeightsTexelsAndLeavesTheirColor)
@@ -388,8 +521,8 @@ TEST_F(FileSourceTest, AlphaOfAPngWeightsTexelsAndLeavesTheirColor)
     EXPECT_EQ(rows.weight[2], 1);
     EXPECT_EQ(rows.height[0], 1);
     EXPECT_TRUE(std::isnan(rows.height[1])) << "alpha 0 is no data";
-    EXPECT_NEAR(static_cast<double>(rows.color[1]), linear_of_srgb(0.6), 8e-7);
-    EXPECT_NEAR(static_cast<double>(rows.color[2]), linear_of_srgb(0.2), 8e-7);
+    EXPECT_NEAR(static_cast<double>(rows.color[1]), linear_of_srgb(0.6), kSrgb);
+    EXPECT_NEAR(static_cast<double>(rows.color[2]), linear_of_srgb(0.2), kSrgb);
 }
 
 TEST_F(FileSourceTest, AlphaMultipliedIntoAnExrIsDividedOut)
@@ -408,7 +541,7 @@ TEST_F(FileSourceTest, AlphaMultipliedIntoAnExrIsDividedOut)
     EXPECT_EQ(rows.color[6], 0.5F);
 }
 
-TEST_F(FileSourceTest, WithoutAlphaWeightAlphaIsNotLookedAt)
+TEST_F(FileSourceTest, WithoutAlphaWeightAlphaIsNotAWeight)
 {
     BakeOptions options = height(Image{2, 1, {"Y", "A"}, {1, 0, 2, 0.5F}});
     add_color(options, Image{2, 1, kRgba, {0.25F, 0.125F, 0.5F, 0.25F, 0.1F, 0, 0, 0}});
@@ -416,7 +549,103 @@ TEST_F(FileSourceTest, WithoutAlphaWeightAlphaIsNotLookedAt)
     const SurfaceRows rows = read_all(source);
     EXPECT_TRUE(rows.weight.empty());
     EXPECT_EQ(rows.height, (std::vector<double>{1, 2}));
-    EXPECT_EQ(rows.color, (std::vector<float>{0.25F, 0.125F, 0.5F, 0.1F, 0, 0}));
+    // divided by 0.25; alpha 0 leaves the color as it is
+    EXPECT_EQ(rows.color, (std::vector<float>{1, 0.5F, 2, 0.1F, 0, 0}));
+}
+
+/// One picture as files of four kinds: sRGB-encoded integers and linear floats, color multiplied
+/// by alpha and not.
+std::vector<std::filesystem::path> write_four_kinds(const TempFolder& temp, const Image& linear)
+{
+    Image srgb = linear, srgb_multiplied = linear, multiplied = linear;
+    for (size_t i = 0; i < linear.pixels.size(); ++i) {
+        const float alpha = linear.pixels[i / 4 * 4 + 3];
+        if (i % 4 == 3)
+            continue;
+        srgb.pixels[i] = static_cast<float>(srgb_of_linear(static_cast<double>(linear.pixels[i])));
+        srgb_multiplied.pixels[i] = srgb.pixels[i] * alpha;
+        multiplied.pixels[i] = linear.pixels[i] * alpha;
+    }
+    const auto straight = [](OIIO::ImageSpec& s) { s.attribute("oiio:UnassociatedAlpha", 1); };
+    const auto associated = [](OIIO::ImageSpec&) {};
+    write_image_with(temp / "straight.png", srgb, "uint16", straight);
+    write_image_with(temp / "straight.tif", srgb, "uint16", straight);
+    write_image_with(temp / "multiplied.tif", srgb_multiplied, "uint16", associated);
+    write_image_with(temp / "multiplied.exr", multiplied, "float", associated);
+    return {temp / "straight.png", temp / "straight.tif", temp / "multiplied.tif",
+            temp / "multiplied.exr"};
+}
+
+TEST_F(FileSourceTest, OnePictureGivesItsColorsHoweverItsAlphaIsStored)
+{
+    Image linear = random_image(6, 5, kRgba, 21, 0.05F, 1);
+    for (size_t i = 3; i < linear.pixels.size(); i += 4)
+        linear.pixels[i] = 0.25F + 0.75F * linear.pixels[i];
+    BakeOptions options = height(random_image(6, 5, {"Y"}, 22));
+    for (const auto& file : write_four_kinds(temp_, linear))
+        for (const bool weight : {false, true}) {
+            options.color_file = file;
+            options.alpha_weight = weight;
+            FileSource source(options);
+            const SurfaceRows rows = read_all(source, 2);
+            EXPECT_EQ(rows.weight.size(), weight ? 30U : 0U);
+            for (size_t i = 0; i < 30; ++i)
+                for (size_t c = 0; c < 3; ++c) {
+                    // Half a step of 16 bits in color and in alpha, each over alpha >= 0.25, times
+                    // the curve's steepest slope, 2.28.
+                    const double step = 2.28 * 2 * 0.5 / 65535 / 0.25;
+                    EXPECT_NEAR(static_cast<double>(rows.color[3 * i + c]),
+                                static_cast<double>(linear.pixels[4 * i + c]), step)
+                        << file << ", texel " << i << ", weight " << weight;
+                }
+        }
+}
+
+TEST_F(FileSourceTest, ResamplingDoesNotTellMultipliedFromStraightFiles)
+{
+    Image linear = random_image(9, 7, kRgba, 23, 0.05F, 1);
+    for (size_t i = 3; i < linear.pixels.size(); i += 4)
+        linear.pixels[i] = i % 5 == 0 ? 0.0F : 0.25F + 0.75F * linear.pixels[i];
+    for (size_t i = 0; i < linear.pixels.size(); ++i)
+        if (linear.pixels[i / 4 * 4 + 3] == 0)
+            linear.pixels[i] = 0; // a multiplied file has nothing else to hold there
+    BakeOptions options = height(random_image(4, 11, {"Y"}, 24));
+    options.resample = true;
+    const auto files = write_four_kinds(temp_, linear);
+    for (const bool weight : {false, true}) {
+        options.alpha_weight = weight;
+        options.color_file = files.back();
+        FileSource exact(options);
+        const SurfaceRows want = read_all(exact);
+        for (const auto& file : files) {
+            options.color_file = file;
+            FileSource source(options);
+            const SurfaceRows rows = read_all(source, 3);
+            ASSERT_EQ(rows.color.size(), 132U);
+            for (size_t i = 0; i < 132; ++i) {
+                if (weight && !(want.weight[i / 3] > 0))
+                    continue;
+                // an average of texels that are each as close as in the test above
+                EXPECT_NEAR(rows.color[i], want.color[i], 2.28F * 2 * 0.5F / 65535 / 0.25F)
+                    << file << " " << i << ", weight " << weight;
+            }
+        }
+    }
+}
+
+TEST_F(FileSourceTest, WithoutAlphaWeightResampledColorIsThePlainAverage)
+{
+    // Two texels to one, of colors 1 and 0.5 and alphas 0.25 and 1: (1 + 0.5) / 2, not 0.6.
+    BakeOptions options = height(Image{1, 1, {"Y"}, {1}});
+    add_color(options, Image{2, 1, kRgba, {0.25F, 0.25F, 0.25F, 0.25F, 0.5F, 0.5F, 0.5F, 1}});
+    options.resample = true;
+    options.wrap_s = options.wrap_t = Wrap::clamp;
+    for (const bool weight : {false, true}) {
+        options.alpha_weight = weight;
+        FileSource source(options);
+        for (const float c : read_all(source).color)
+            EXPECT_NEAR(c, weight ? 0.6F : 0.75F, 1e-6F);
+    }
 }
 
 TEST_F(FileSourceTest, AlphaOfTheHeightMapServesWhereTheColorHasNone)

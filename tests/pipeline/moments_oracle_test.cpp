@@ -71,8 +71,8 @@ public:
         MemorySource source = case_.source();
         const Survey found = survey(source, {});
         const MomentLayout layout = everything(source.has_heights(), source.has_color());
-        const TexelMoments texels(layout, found, case_.options, source.width(), case_.input.dx,
-                                  case_.input.dy);
+        const TexelMoments texels(layout, found, case_.options, nullptr, source.width(),
+                                  case_.input.dx, case_.input.dy);
         Recorder recorder(layout, source.width(), source.height());
         MomentPyramid pyramid(layout, source.width(), source.height(), {&recorder});
         StripReader strips(source, found, case_.options, true);

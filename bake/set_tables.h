@@ -1,0 +1,19 @@
+#pragma once
+
+#include "texset/manifest.h"
+
+namespace scree::tool {
+
+/// What a set was made of.
+void print_head(const Manifest& manifest);
+void print_textures(const Manifest& manifest);
+/// Means over the texels of a level; "inside" is what lies within its texels.
+void print_levels(const Manifest& manifest);
+/// How well each color model fits, where color varies inside texels.
+void print_color_fit(const Manifest& manifest);
+/// Nothing for a set without a color map.
+void print_color_map(const Manifest& manifest);
+/// What `--maps auto` kept and dropped; nothing without it.
+void print_model_choice(const Manifest& manifest);
+
+} // namespace scree::tool

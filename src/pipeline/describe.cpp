@@ -1,0 +1,88 @@
+#include "pipeline/describe.h"
+
+#include <fmt/format.h>
+
+#include "pipeline/color_table.h"
+#include "version.h"
+
+namespace scree {
+
+void describe(const Surface& surface, Manifest& manifest)
+{
+    const BakeOptions& options = surface.options;
+    const bool has_heights = surface.source.has_heights();
+    manifest.program_version = kVersion;
+    manifest.width = surface.source.width();
+    manifest.height = surface.source.height();
+    manifest.wrap_s = wrap_name(options.wrap_s);
+    manifest.wrap_t = wrap_name(options.wrap_t);
+    manifest.texel_width = surface.texel[0];
+    manifest.texel_height = surface.texel[1];
+    manifest.height_scale = options.height_scale;
+    manifest.height_offset = options.height_offset;
+    manifest.reconstruction =
+        has_heights ? reconstruction_name(options.reconstruction) : "given normals";
+    manifest.layout = layout_name(options.layout);
+    manifest.has_height = has_heights;
+    manifest.h0 = surface.found.h0;
+    manifest.h1 = surface.found.h1;
+    manifest.height_min = surface.found.height_min;
+    manifest.height_max = surface.found.height_max;
+    manifest.no_data_texels = surface.found.no_data_texels;
+    manifest.half_tolerance = options.half_tolerance;
+    manifest.compression = compression_name(options.compression);
+    manifest.options = options.as_given;
+    if (surface.mapped)
+        manifest.color_map = color_map_record(*surface.mapped, options);
+}
+
+std::vector<TextureRecord> textures_for(const std::vector<Map>& maps, int rank_terms,
+                                        const BakeOptions& options, const std::string& name)
+{
+    std::vector<TextureRecord> textures;
+    for (const Map map : maps) {
+        TextureRecord texture;
+        texture.map = map;
+        texture.channels = map == Map::rank ? rank_channels(rank_terms) : map_info(map).channels;
+        texture.file = fmt::format("{}.{}.exr", name, map_info(map).name);
+        const bool half = options.pixel_type == PixelTypeChoice::half && map != Map::map;
+        texture.type = half ? PixelType::half : PixelType::float32;
+        textures.push_back(texture);
+    }
+    return textures;
+}
+
+Attributes attributes_of(Map map, const Manifest& manifest)
+{
+    const std::string wraps =
+        map == Map::map ? "clamp,clamp" : manifest.wrap_s + "," + manifest.wrap_t;
+    Attributes attributes = {{"textureformat", std::string("Plain Texture")},
+                             {"wrapmodes", wraps},
+                             {"Software", "scree " + manifest.program_version},
+                             {"scree:set", manifest.name},
+                             {"scree:map", map_info(map).name},
+                             {"scree:meaning", map_info(map).meaning},
+                             {"scree:axes", std::string("s right, t down")},
+                             {"scree:texelWidth", manifest.texel_width},
+                             {"scree:texelHeight", manifest.texel_height},
+                             {"scree:reconstruction", manifest.reconstruction}};
+    if (manifest.has_height) {
+        attributes.emplace_back("scree:h0", manifest.h0);
+        attributes.emplace_back("scree:h1", manifest.h1);
+    }
+    if (map == Map::map && manifest.color_map && manifest.color_map->table) {
+        const MapTableRecord& table = *manifest.color_map->table;
+        attributes.emplace_back("scree:by", manifest.color_map->by);
+        attributes.emplace_back("scree:meanLow", static_cast<float>(table.low));
+        attributes.emplace_back("scree:meanHigh", static_cast<float>(table.high));
+        attributes.emplace_back("scree:widestDeviation", static_cast<float>(table.widest));
+        if (manifest.color_map->by == "slope")
+            attributes.emplace_back("scree:azimuthDegrees",
+                                    static_cast<float>(manifest.color_map->azimuth_deg));
+    }
+    if (!manifest.working_space.empty())
+        attributes.emplace_back("scree:workingSpace", manifest.working_space);
+    return attributes;
+}
+
+} // namespace scree

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "pipeline/surface.h"
+#include "texset/attributes.h"
+#include "texset/manifest.h"
+
+namespace scree {
+
+/// Writes into the manifest all that is known before the first texel is made.
+void describe(const Surface& surface, Manifest& manifest);
+
+/// One texture a map, of the type that was given, or float.
+///
+/// rank_terms  of a rank table
+std::vector<TextureRecord> textures_for(const std::vector<Map>& maps, int rank_terms,
+                                        const BakeOptions& options, const std::string& name);
+
+/// What the header of a texture says, so that a file without its set still explains itself.
+Attributes attributes_of(Map map, const Manifest& manifest);
+
+} // namespace scree

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/options.h"
+#include "pipeline/source.h"
+#include "stats/moment_layout.h"
+
+namespace scree {
+
+/// The maps of a set: those asked for, or all that the inputs allow, in the order of map_table().
+///
+/// has_color  the source's own, or by a color map
+/// complete   every texel has data; otherwise a coverage map joins them
+/// Throws Error when a map that was asked for needs what the inputs do not have.
+std::vector<Map> choose_maps(const Source& source, const BakeOptions& options, bool has_color,
+                             bool complete);
+
+/// The moments that maps need, and those that the fit report takes besides.
+///
+/// rank_terms  of a rank table
+MomentLayout moments_for(const std::vector<Map>& maps, int rank_terms, const Source& source,
+                         const BakeOptions& options);
+
+} // namespace scree

@@ -1,0 +1,92 @@
+#include "pipeline/model_choice.h"
+
+#include <algorithm>
+#include <string>
+
+namespace scree {
+
+namespace {
+
+constexpr const char* kRank = "rank ";
+constexpr const char* kWithout = "without ";
+
+bool has(const std::vector<Map>& maps, Map map)
+{
+    return std::find(maps.begin(), maps.end(), map) != maps.end();
+}
+
+bool is_chosen(const ModelChoice& choice, const std::string& model)
+{
+    return std::any_of(choice.models.begin(), choice.models.end(), [&model](const auto& record) {
+        return record.chosen && record.model == model;
+    });
+}
+
+bool mapped_by_slope(const BakeOptions& options)
+{
+    return !options.colormap_file.empty() && options.map_by != MapBy::height;
+}
+
+} // namespace
+
+ModelChoice choose_models(const ModelErrors& errors, const std::vector<Map>& maps,
+                          const BakeOptions& options)
+{
+    ModelChoice choice{options.max_view_angle_deg, options.model_tolerance, {}};
+    if (has(maps, Map::height) && has(maps, Map::color)) {
+        choice.models = errors.color_models();
+        auto best =
+            std::find_if(choice.models.begin(), choice.models.end(), [&options](const auto& model) {
+                return model.error <= options.model_tolerance;
+            });
+        if (best == choice.models.end())
+            best = std::min_element(choice.models.begin(), choice.models.end(),
+                                    [](const auto& a, const auto& b) { return a.error < b.error; });
+        best->chosen = true;
+    }
+    auto judge = [&](Map map, int channels, double error) {
+        if (has(maps, map))
+            choice.models.push_back({kWithout + map_info(map).name, -channels, error,
+                                     error <= options.model_tolerance});
+    };
+    if (!mapped_by_slope(options))
+        judge(Map::colorslope, 6, errors.without_colorslope());
+    judge(Map::tail, 1, errors.without_tail());
+    return choice;
+}
+
+int rank_terms_of(const ModelChoice& choice)
+{
+    for (const ModelRecord& model : choice.models)
+        if (model.chosen && model.model.rfind(kRank, 0) == 0)
+            return std::stoi(model.model.substr(std::string(kRank).size()));
+    return 0;
+}
+
+std::vector<Map> maps_of(const ModelChoice& choice, const std::vector<Map>& maps,
+                         const BakeOptions& options)
+{
+    auto is_read = [&](Map map) {
+        switch (map) {
+        case Map::height:
+            return is_chosen(choice, "colorheight") || is_chosen(choice, "map");
+        case Map::colorheight:
+            return is_chosen(choice, "colorheight");
+        case Map::rank:
+            return rank_terms_of(choice) > 0;
+        case Map::map:
+            return mapped_by_slope(options) || is_chosen(choice, "map");
+        case Map::colorslope:
+            return !mapped_by_slope(options) && !is_chosen(choice, "without colorslope");
+        case Map::tail:
+            return !is_chosen(choice, "without tail");
+        default:
+            return true;
+        }
+    };
+    std::vector<Map> read;
+    std::copy_if(maps.begin(), maps.end(), std::back_inserter(read), is_read);
+    return read;
+}
+
+} // namespace scree

@@ -1,0 +1,36 @@
+#include "pipeline/surface.h"
+
+#include "math/error.h"
+
+namespace scree {
+
+namespace {
+
+std::array<double, 2> texel_size(const Source& source, const BakeOptions& options)
+{
+    const auto w = static_cast<double>(source.width()), h = static_cast<double>(source.height());
+    if (options.texel_size)
+        return *options.texel_size;
+    if (options.world_size) {
+        const double texel_width = (*options.world_size)[0] / w;
+        return {texel_width,
+                options.world_height_given ? (*options.world_size)[1] / h : texel_width};
+    }
+    return {1 / w, 1 / w}; // the map is one unit wide, its texels square
+}
+
+} // namespace
+
+Surface::Surface(Source& from, const BakeOptions& given, const BakeMonitor& watch,
+                 const ColorMapInput* color_map)
+    : source(from), options(given), monitor(watch), found(survey(from, watch)),
+      texel(texel_size(from, given))
+{
+    if (color_map == nullptr)
+        return;
+    if (given.map_by == MapBy::height && !from.has_heights())
+        throw Error("--colormap: goes by height, and a normal map has none; give --map-by slope");
+    mapped = placed(*color_map, given, found);
+}
+
+} // namespace scree

@@ -1,0 +1,220 @@
+// `--maps auto`: what is kept, on surfaces where the answer is known.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "kernel/filter.h"
+#include "pipeline/bake.h"
+#include "support/files.h"
+#include "support/memory_source.h"
+
+namespace scree::test {
+namespace {
+
+Manifest bake_auto(MemorySource source, const std::filesystem::path& folder,
+                   const BakeOptions& given = {})
+{
+    BakeOptions options = given;
+    options.output = folder;
+    options.auto_maps = true;
+    options.texel_size = {1, 1};
+    Manifest manifest;
+    manifest.name = "test";
+    return bake(source, options, manifest);
+}
+
+std::set<Map> maps_of(const Manifest& manifest)
+{
+    std::set<Map> maps;
+    for (const TextureRecord& texture : manifest.textures)
+        maps.insert(texture.map);
+    return maps;
+}
+
+double error_of(const Manifest& manifest, const std::string& model)
+{
+    for (const ModelRecord& record : manifest.model_choice->models)
+        if (record.model == model)
+            return record.error;
+    ADD_FAILURE() << model << " was not judged";
+    return -1;
+}
+
+std::string chosen_of(const Manifest& manifest)
+{
+    std::string chosen;
+    for (const ModelRecord& record : manifest.model_choice->models)
+        if (record.chosen && record.model.rfind("without", 0) != 0)
+            chosen += record.model;
+    return chosen;
+}
+
+/// Gaussian noise of slopes about `steepness`; a color a height.
+template <class Color>
+MemorySource surface(double steepness, Color color)
+{
+    MemorySource source;
+    source.map_width = source.map_height = 64;
+    std::mt19937 random(5);
+    std::normal_distribution<double> height;
+    for (int i = 0; i < 64 * 64; ++i) {
+        const double h = height(random);
+        source.heights.push_back(steepness * h);
+        const double c = color(h);
+        source.colors.push_back({c, c, c});
+    }
+    return source;
+}
+
+TEST(ModelChoice, OneColorNeedsNoModelOfColor)
+{
+    TempFolder temp;
+    const Manifest m = bake_auto(surface(0.3, [](double) { return 0.5; }), temp / "set");
+    EXPECT_EQ(chosen_of(m), "mean color");
+    const auto maps = maps_of(m);
+    EXPECT_EQ(maps.count(Map::slope) + maps.count(Map::color), 2U);
+    for (const Map map : {Map::height, Map::colorheight, Map::colorslope, Map::rank})
+        EXPECT_EQ(maps.count(map), 0U) << map_info(map).name;
+}
+
+TEST(ModelChoice, FromAboveNothingIsHidden)
+{
+    TempFolder temp;
+    BakeOptions options;
+    options.max_view_angle_deg = 0;
+    const Manifest m =
+        bake_auto(surface(0.3, [](double h) { return h > 0 ? 1 : 0.1; }), temp / "set", options);
+    EXPECT_EQ(chosen_of(m), "mean color");
+    EXPECT_LT(error_of(m, "mean color"), 1e-6); // atoms' colors are floats
+    EXPECT_EQ(maps_of(m).count(Map::colorslope), 0U);
+}
+
+TEST(ModelChoice, TheCheapestWithinTheToleranceIsKeptAndTheRestDropped)
+{
+    auto snow = [](double h) { return h > 0 ? 1 : 0.1; };
+    std::string last;
+    for (const double tolerance : {1.0, 0.1, 0.025, 1e-3}) {
+        TempFolder temp;
+        BakeOptions options;
+        options.max_view_angle_deg = 75;
+        options.model_tolerance = tolerance;
+        const Manifest m = bake_auto(surface(0.3, snow), temp / "set", options);
+        // By the recorded errors: none cheaper is within, and where none is within, none is better.
+        int chosen_channels = -1;
+        double chosen_error = 0;
+        for (const ModelRecord& record : m.model_choice->models)
+            if (record.chosen && record.model.rfind("without", 0) != 0) {
+                chosen_channels = record.channels;
+                chosen_error = record.error;
+            }
+        ASSERT_GE(chosen_channels, 0);
+        for (const ModelRecord& record : m.model_choice->models) {
+            if (record.model.rfind("without", 0) == 0)
+                continue;
+            if (chosen_error <= tolerance)
+                EXPECT_TRUE(record.error > tolerance || record.channels >= chosen_channels)
+                    << record.model;
+            else
+                EXPECT_GE(record.error, chosen_error) << record.model;
+        }
+        EXPECT_EQ(maps_of(m).count(Map::rank), chosen_of(m).rfind("rank", 0) == 0 ? 1U : 0U);
+        // What was recorded is what stands in the folder.
+        for (const TextureRecord& texture : m.textures)
+            EXPECT_EQ(read_levels(temp / "set" / texture.file)[0].channels.size(),
+                      texture.channels.size())
+                << texture.file;
+        EXPECT_TRUE(m.levels.back().color_fit->rank4) << "the report knows of what was dropped";
+        EXPECT_NE(chosen_of(m), last) << tolerance;
+        last = chosen_of(m);
+    }
+}
+
+/// Oracle for the error of the mean color: two heights of equal mass at every level but the first
+/// few, whose visible color is two powers; Lambda from the last level's slopes, which all texels
+/// have.
+TEST(ModelChoice, TheErrorOfTheMeanColorIsTheShiftItDoesNotShow)
+{
+    MemorySource source;
+    source.map_width = source.map_height = 64;
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const bool high = (x + y) % 2 == 0; // a checkerboard: one footprint from 2x2 on
+            source.heights.push_back(high ? 0.4 : 0);
+            const double c = high ? 0.8 : 0.2;
+            source.colors.push_back({c, c, c});
+        }
+    TempFolder temp;
+    BakeOptions options;
+    options.max_view_angle_deg = 80;
+    const Manifest m = bake_auto(source, temp / "set", options);
+
+    TempFolder whole;
+    BakeOptions all;
+    all.output = whole / "set";
+    all.texel_size = {1, 1};
+    all.pixel_type = PixelTypeChoice::float32;
+    Manifest manifest;
+    manifest.name = "test";
+    bake(source, all, manifest);
+    const Image slope = read_levels(whole / "set" / "test.slope.exr").back();
+    const Image tail = read_levels(whole / "set" / "test.tail.exr").back();
+    filter::SlopeMoments<double> raw;
+    raw.s = static_cast<double>(slope.at(0, 0, 0));
+    raw.ss = static_cast<double>(slope.at(0, 0, 1));
+    raw.st = static_cast<double>(slope.at(0, 0, 2));
+    raw.t = static_cast<double>(slope.at(0, 0, 3));
+    raw.tt = static_cast<double>(slope.at(0, 0, 4));
+    const auto slopes = filter::slopes(raw, static_cast<double>(tail.at(0, 0, 0)));
+    const double angle = 80 * 3.14159265358979 / 180;
+    const filter::Vec3<double> w(std::sin(angle), 0, std::cos(angle));
+    const double lambda = filter::masking(w, slopes).lambda;
+    const double low_seen = std::pow(0.5, 1 + lambda);
+    const double shift = 0.2 * low_seen + 0.8 * (1 - low_seen) - 0.5;
+    EXPECT_NEAR(error_of(m, "mean color"), shift / 0.5, 1e-4);
+    EXPECT_GT(shift, 0.02);
+}
+
+TEST(ModelChoice, TailGoesWhereSlopesAreGaussianAndStaysWhereTheyAreNot)
+{
+    // Slopes of a normal map, one a texel: Gaussian, or one in 20 five times as steep.
+    for (const bool heavy : {false, true}) {
+        MemorySource source;
+        source.map_width = source.map_height = 128;
+        std::mt19937 random(6);
+        std::normal_distribution<double> slope(0, 0.2);
+        for (int i = 0; i < 128 * 128; ++i) {
+            const double scale = heavy && random() % 20 == 0 ? 5 : 1;
+            source.slopes.push_back({scale * slope(random), scale * slope(random)});
+        }
+        TempFolder temp;
+        BakeOptions options;
+        options.max_view_angle_deg = 80;
+        options.model_tolerance = 0.02;
+        const Manifest m = bake_auto(source, temp / "set", options);
+        EXPECT_EQ(maps_of(m).count(Map::tail), heavy ? 1U : 0U)
+            << error_of(m, "without tail") << (heavy ? " heavy" : " gaussian");
+    }
+}
+
+TEST(ModelChoice, DoesNotDependOnTheNumberOfThreads)
+{
+    std::string first;
+    for (const int threads : {1, 3}) {
+        TempFolder temp;
+        BakeOptions options;
+        options.threads = threads;
+        const Manifest m =
+            bake_auto(surface(0.3, [](double h) { return 0.5 + 0.1 * h; }), temp / "set", options);
+        const std::string json = to_json(m);
+        if (first.empty())
+            first = json;
+        EXPECT_EQ(json, first);
+    }
+}
+
+} // namespace
+} // namespace scree::test
