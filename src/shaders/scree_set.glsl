@@ -3,20 +3,30 @@
 // For GLSL 330 core and ES 300 and later. A fragment shader is, in this order:
 //   #version, kernel/prelude_glsl.h, kernel/scree_filter.h, this file, its own text
 //
-// The maps of a set (docs/texture-set.md) go into four textures of four channels:
+// The maps of a set (docs/texture-set.md) go into four textures of four channels, and into more of
+// them where the color is told by rank or goes with the slope:
 //
-//   texture       R               G               B               A
-//   slope         slope s         slope t         slope ss        slope tt
-//   extra         slope st        height h        height hh       tail tau
-//   color         color R         color G         color B         -
-//   color_height  colorheight R   colorheight G   colorheight B   -
+//   texture         R               G               B               A
+//   slope           slope s         slope t         slope ss        slope tt
+//   extra           slope st        height h        height hh       tail tau
+//   color           color R         color G         color B         -
+//   color_height    colorheight R   colorheight G   colorheight B   -
+//
+//   rank_b          rank B1         rank B2         rank B3         rank B4
+//   rank_g          rank G1         rank G2         rank G3         rank G4
+//   rank_r          rank R1         rank R2         rank R3         rank R4
+//   color_slope_bg  colorslope Bs   colorslope Bt   colorslope Gs   colorslope Gt
+//   color_slope_r   colorslope Rs   colorslope Rt   -               -
 //
 // at every MIP level, as the files hold it: RGBA32F, or RGBA16F where all maps in it are half
 // (ES filters RGBA32F with OES_texture_float_linear only). Wrap as in the manifest. A map that was
 // not baked is 0: without height the color does not follow it, without tail slopes are Gaussian.
-// color-slope has no place here; see scree_slope_pull, scree_color_by_slope.
+// Rank and color-slope are here in the order of their files; a rank table of fewer terms is 0 in
+// the rest, for more there is the kernel's scree_color_by_rank.
 //
-// Every channel is a linear moment: any filter will do, one lookup a texture, anisotropic at best.
+// Every channel but rank and tail is a linear moment (what blending costs the rank table is in
+// docs/statistics.md): any filter will do, one lookup a texture, anisotropic at best.
+// Not so the table of a color map, NAME.map.exr (R G B): one level, GL_LINEAR, GL_CLAMP_TO_EDGE.
 //
 // Frame: x along +s (right), y along +t (DOWN the image), z out of the surface; directions are unit
 // vectors away from the surface. Textures are uploaded row 0 first, so row 0 is t = 0. A renderer
@@ -80,6 +90,15 @@ float scree_lambda(vec3 w, ScreeFootprint f)
     return lambda;
 }
 
+/// Mean and covariance of the slopes a direction sees.
+void scree_seen_slopes(vec3 w, ScreeFootprint f, out vec2 mean, out vec3 covariance)
+{
+    float area = 0.0;
+    scree_visible_slopes(w.x, w.y, w.z, f.mean.x, f.mean.y, f.covariance.x, f.covariance.y,
+                         f.covariance.z, f.tau, area, mean.x, mean.y, covariance.x, covariance.y,
+                         covariance.z);
+}
+
 /// Visible color by its linear correlation with height.
 ///
 /// exponent  Lambda of the view; of view plus light for what is seen and lit
@@ -93,15 +112,91 @@ vec3 scree_visible_color(ScreeFootprint f, float exponent)
                 scree_color_by_height(f.color.b, f.color_height.b, f.h, f.hh, mean));
 }
 
+/// Visible color by height rank, from the texels of the three rank textures, filtered.
+///
+/// exponent  as in scree_visible_color
+vec3 scree_rank_color(ScreeFootprint f, vec4 rank_b, vec4 rank_g, vec4 rank_r, float exponent)
+{
+    return vec3(scree_color_by_rank(f.color.r, rank_r.x, rank_r.y, rank_r.z, rank_r.w, 0.0, 0.0,
+                                    0.0, 0.0, exponent),
+                scree_color_by_rank(f.color.g, rank_g.x, rank_g.y, rank_g.z, rank_g.w, 0.0, 0.0,
+                                    0.0, 0.0, exponent),
+                scree_color_by_rank(f.color.b, rank_b.x, rank_b.y, rank_b.z, rank_b.w, 0.0, 0.0,
+                                    0.0, 0.0, exponent));
+}
+
+/// A visible color (mean, by height or by rank) with its linear correlation with slope added, from
+/// the texels of the two color-slope textures, filtered.
+vec3 scree_add_slope_color(vec3 seen, vec3 w, ScreeFootprint f, vec4 color_slope_bg,
+                           vec4 color_slope_r)
+{
+    float pull = scree_slope_pull(w.x, w.y, w.z, f.mean.x, f.mean.y, f.covariance.x,
+                                  f.covariance.y, f.covariance.z, f.tau);
+    vec3 by_slope = vec3(scree_color_by_slope(f.color.r, color_slope_r.x, color_slope_r.y, f.mean.x,
+                                              f.mean.y, w.x, w.y, pull),
+                         scree_color_by_slope(f.color.g, color_slope_bg.z, color_slope_bg.w,
+                                              f.mean.x, f.mean.y, w.x, w.y, pull),
+                         scree_color_by_slope(f.color.b, color_slope_bg.x, color_slope_bg.y,
+                                              f.mean.x, f.mean.y, w.x, w.y, pull));
+    return max(seen - f.color + by_slope, 0.0);
+}
+
+// What the table of a color map is looked up with, mean and deviation, by what the map goes by
+// (scree:by in the file's header):
+
+/// "height", in units of NAME.height.exr. exponent as in scree_visible_color.
+vec2 scree_seen_height(ScreeFootprint f, float exponent)
+{
+    float mean = 0.0;
+    float variance = 0.0;
+    scree_visible_height(exponent, mean, variance);
+    float sigma = scree_height_sigma(f.h, f.hh);
+    return vec2(f.h + sigma * mean, sigma * sqrt(variance));
+}
+
+/// "slope", along a unit direction of the texture plane: (cos, sin) of scree:azimuthDegrees.
+vec2 scree_seen_slope(vec3 w, ScreeFootprint f, vec2 direction)
+{
+    vec2 mean = vec2(0.0);
+    vec3 covariance = vec3(0.0);
+    scree_seen_slopes(w, f, mean, covariance);
+    vec2 seen = vec2(0.0);
+    scree_slope_along(direction.x, direction.y, mean.x, mean.y, covariance.x, covariance.y,
+                      covariance.z, seen.x, seen.y);
+    return seen;
+}
+
+/// "slope magnitude".
+vec2 scree_seen_steepness(vec3 w, ScreeFootprint f)
+{
+    vec2 mean = vec2(0.0);
+    vec3 covariance = vec3(0.0);
+    scree_seen_slopes(w, f, mean, covariance);
+    vec2 seen = vec2(0.0);
+    scree_slope_magnitude(mean.x, mean.y, covariance.x, covariance.z, seen.x, seen.y);
+    return seen;
+}
+
+/// Visible color of a color map.
+///
+/// map    the table, NAME.map.exr
+/// range  scree:meanLow, scree:meanHigh and scree:widestDeviation of its header
+/// seen   mean and deviation
+vec3 scree_map_color(sampler2D map, vec3 range, vec2 seen)
+{
+    vec2 size = vec2(textureSize(map, 0));
+    vec2 at = vec2(0.0);
+    scree_color_map_coordinates(seen.x, seen.y, range.x, range.y, range.z, size.x, size.y, at.x,
+                                at.y);
+    return textureLod(map, at, 0.0).rgb;
+}
+
 /// Unit normal of the mean slope a direction sees.
 vec3 scree_visible_normal(vec3 w, ScreeFootprint f)
 {
-    float area = 0.0;
     vec2 mean = vec2(0.0);
     vec3 covariance = vec3(0.0);
-    scree_visible_slopes(w.x, w.y, w.z, f.mean.x, f.mean.y, f.covariance.x, f.covariance.y,
-                         f.covariance.z, f.tau, area, mean.x, mean.y, covariance.x, covariance.y,
-                         covariance.z);
+    scree_seen_slopes(w, f, mean, covariance);
     return normalize(vec3(-mean, 1.0));
 }
 

@@ -82,39 +82,141 @@ ScreeFootprint scree_footprint(string folder, string name, float s, float t, flo
     return f;
 }
 
+// Visible color by its linear correlation with height. c: mean color.
+color scree_linear_color(string folder, string name, float s, float t, color c, float exponent)
+{
+    float unused = 0, mean = 0, variance = 0;
+    scree_visible_height(exponent, mean, variance);
+    color h = scree_lookup(scree_file(folder, name, "height"), s, t, 0, unused);
+    color ch = scree_lookup(scree_file(folder, name, "colorheight"), s, t, 0, unused);
+    color result = 0;
+    for (int i = 0; i < 3; ++i)
+        result[i] = scree_color_by_height(c[i], ch[i], h[0], h[1], mean);
+    return result;
+}
+
+// Visible color by height rank, of as many terms as the file has: B1 .. BK G1 .. GK R1 .. RK.
+color scree_rank_color(string folder, string name, float s, float t, color c, float exponent)
+{
+    string file = scree_file(folder, name, "rank");
+    int channels = 0;
+    gettextureinfo(file, "channels", channels);
+    int terms = channels / 3;
+    color result = 0;
+    for (int i = 0; i < 3; ++i) {
+        float a[8] = { 0, 0, 0, 0, 0, 0, 0, 0 };
+        for (int n = 0; n < max(terms, 1); n += 4) { // a file that is not there is looked up too
+            float fourth = 0;
+            color three = scree_lookup(file, s, t, (2 - i) * terms + n, fourth);
+            a[n] = three[0];
+            a[n + 1] = n + 1 < terms ? three[1] : 0; // what follows is the next color's
+            a[n + 2] = n + 2 < terms ? three[2] : 0;
+            a[n + 3] = n + 3 < terms ? fourth : 0;
+        }
+        result[i] = scree_color_by_rank(c[i], a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7],
+                                        exponent);
+    }
+    return result;
+}
+
+// What the color map of a set goes by: "height", "slope" or "slope magnitude".
+string scree_map_by(string folder, string name)
+{
+    string file = scree_file(folder, name, "map");
+    string by = "";
+    if (!gettextureinfo(file, "scree:by", by))
+        error("%s: no table of a color map; bake the set with this map, or mend folder and name",
+              file);
+    return by;
+}
+
+// Visible color of a color map: its table, looked up where the visible heights or slopes are.
+//
+// by  of scree_map_by
+color scree_map_color(string folder, string name, float s, float t, vector w, ScreeFootprint f,
+                      float exponent, string by)
+{
+    string file = scree_file(folder, name, "map");
+    float mean = 0, deviation = 0;
+    if (by == "height") {
+        float unused = 0, shift = 0, variance = 0;
+        scree_visible_height(exponent, shift, variance);
+        color h = scree_lookup(scree_file(folder, name, "height"), s, t, 0, unused);
+        float sigma = scree_height_sigma(h[0], h[1]);
+        mean = h[0] + sigma * shift;
+        deviation = sigma * sqrt(variance);
+    } else {
+        float area, vs, vt, vss, vst, vtt;
+        scree_visible_slopes(w[0], w[1], w[2], f.s, f.t, f.css, f.cst, f.ctt, f.tau, area, vs, vt,
+                             vss, vst, vtt);
+        float azimuth = 0;
+        if (by == "slope" && gettextureinfo(file, "scree:azimuthDegrees", azimuth))
+            scree_slope_along(cos(radians(azimuth)), sin(radians(azimuth)), vs, vt, vss, vst, vtt,
+                              mean, deviation);
+        else
+            scree_slope_magnitude(vs, vt, vss, vtt, mean, deviation);
+    }
+    float low = 0, high = 1, widest = 1, x = 0, y = 0;
+    int size[2] = { 1, 1 };
+    gettextureinfo(file, "scree:meanLow", low);
+    gettextureinfo(file, "scree:meanHigh", high);
+    gettextureinfo(file, "scree:widestDeviation", widest);
+    gettextureinfo(file, "resolution", size);
+    scree_color_map_coordinates(mean, deviation, low, high, widest, size[0], size[1], x, y);
+    // No derivatives: no filter. "linear", since OSL takes words it does not know, such as
+    // "bilinear", for its bicubic default.
+    return texture(file, x, y, 0.0, 0.0, 0.0, 0.0, "interp", "linear", "wrap", "clamp");
+}
+
+// Visible color by its linear correlation with slope. c: mean color.
+color scree_slope_color(string folder, string name, float s, float t, float height_scale, vector w,
+                        ScreeFootprint f, color c)
+{
+    // Bs Bt Gs Gt Rs Rt
+    float gt = 0, unused = 0;
+    string file = scree_file(folder, name, "colorslope");
+    color first = scree_lookup(file, s, t, 0, gt);
+    color last = scree_lookup(file, s, t, 4, unused);
+    color cs = height_scale * color(last[0], first[2], first[0]);
+    color ct = height_scale * color(last[1], gt, first[1]);
+    float pull = scree_slope_pull(w[0], w[1], w[2], f.s, f.t, f.css, f.cst, f.ctt, f.tau);
+    color result = 0;
+    for (int i = 0; i < 3; ++i)
+        result[i] = scree_color_by_slope(c[i], cs[i], ct[i], f.s, f.t, w[0], w[1], pull);
+    return result;
+}
+
 // Visible color of a set for a view w in its frame.
 //
-// tier            0 mean color; 1 and its correlation with height; 2 and with slope
+// color_model     0 mean color; 1 linear in height (colorheight); 2 by height rank (rank); 3 the
+//                 color map the set was colored with (map)
+// slope_color     1 adds the correlation with slope (colorslope); a color map by slope sees the
+//                 slope already and leaves it out
+// height_scale    scales slopes. Ranks of heights know no scale, and a color map by height keeps
+//                 the colors of the heights as baked
 // light_exponent  Lambda of the light, added to the view's, for what is both seen and lit; 0 else
 color scree_visible_color(string folder, string name, float s, float t, float height_scale,
-                          vector w, ScreeFootprint f, int tier, float light_exponent)
+                          vector w, ScreeFootprint f, int color_model, int slope_color,
+                          float light_exponent)
 {
-    float unused = 0;
-    color c = scree_lookup(scree_file(folder, name, "color"), s, t, 0, unused);
+    float exponent = 0, g1 = 0, unused = 0;
+    scree_masking(w[0], w[1], w[2], f.s, f.t, f.css, f.cst, f.ctt, f.tau, exponent, g1);
+    exponent += light_exponent;
+    string by = color_model == 3 ? scree_map_by(folder, name) : "";
+    int add_slope = slope_color && (color_model != 3 || by == "height");
+    color c = 0;
+    if (color_model != 3 || add_slope)
+        c = scree_lookup(scree_file(folder, name, "color"), s, t, 0, unused);
     color result = c;
-    if (tier >= 1) {
-        float lambda = 0, g1 = 0, mean = 0, variance = 0;
-        scree_masking(w[0], w[1], w[2], f.s, f.t, f.css, f.cst, f.ctt, f.tau, lambda, g1);
-        scree_visible_height(lambda + light_exponent, mean, variance);
-        color h = scree_lookup(scree_file(folder, name, "height"), s, t, 0, unused);
-        color ch = scree_lookup(scree_file(folder, name, "colorheight"), s, t, 0, unused);
-        for (int i = 0; i < 3; ++i)
-            result[i] = scree_color_by_height(c[i], ch[i], h[0], h[1], mean);
-    }
-    if (tier >= 2) {
-        // Bs Bt Gs Gt Rs Rt
-        float gt = 0;
-        string file = scree_file(folder, name, "colorslope");
-        color first = scree_lookup(file, s, t, 0, gt);
-        color last = scree_lookup(file, s, t, 4, unused);
-        color cs = height_scale * color(last[0], first[2], first[0]);
-        color ct = height_scale * color(last[1], gt, first[1]);
-        float pull = scree_slope_pull(w[0], w[1], w[2], f.s, f.t, f.css, f.cst, f.ctt, f.tau);
-        for (int i = 0; i < 3; ++i)
-            result[i] =
-                max(0.0, result[i] - c[i] +
-                             scree_color_by_slope(c[i], cs[i], ct[i], f.s, f.t, w[0], w[1], pull));
-    }
+    if (color_model == 1)
+        result = scree_linear_color(folder, name, s, t, c, exponent);
+    else if (color_model == 2)
+        result = scree_rank_color(folder, name, s, t, c, exponent);
+    else if (color_model == 3)
+        result = scree_map_color(folder, name, s, t, w, f, exponent, by);
+    if (add_slope)
+        result = max(color(0), result - c + scree_slope_color(folder, name, s, t, height_scale, w,
+                                                              f, c));
     return result;
 }
 

@@ -177,14 +177,14 @@ GLuint GlContext::program(const std::vector<std::string>& vertex_files,
     return program;
 }
 
-GLuint GlContext::texture(const std::vector<Image>& levels, GlFilter filter)
+GLuint GlContext::texture(const std::vector<Image>& levels, GlFilter filter, GLint wrap)
 {
     GLuint texture = 0;
     gl_.GenTextures(1, &texture);
     gl_.BindTexture(GL_TEXTURE_2D, texture);
     use_filter(gl_, filter);
-    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.size()) - 1);
     for (size_t level = 0; level < levels.size(); ++level)
         gl_.TexImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), GL_RGBA32F, levels[level].width,

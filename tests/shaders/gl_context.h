@@ -42,8 +42,8 @@ public:
     GLuint program(const std::vector<std::string>& vertex_files,
                    const std::vector<std::string>& fragment_files);
 
-    /// A float texture of four channels that repeats; levels[0] is the finest.
-    GLuint texture(const std::vector<Image>& levels, GlFilter filter);
+    /// A float texture of four channels; levels[0] is the finest.
+    GLuint texture(const std::vector<Image>& levels, GlFilter filter, GLint wrap = GL_REPEAT);
 
     /// Only this level of the texture from now on.
     void show_level(GLuint texture, int level);

@@ -14,7 +14,7 @@ namespace {
 std::vector<Outputs<float>> evaluate_in_glsl(GlContext& context,
                                              const std::vector<KernelCase>& cases)
 {
-    static_assert(kInputs == 32 && kOutputs == 25, "kernel_cases.frag counts on them");
+    static_assert(kInputs == 32 && kOutputs == 27, "kernel_cases.frag counts on them");
     Image inputs{kInputs / 4, static_cast<int>(cases.size()), {"R", "G", "B", "A"}, {}};
     for (const KernelCase& row : cases)
         inputs.pixels.insert(inputs.pixels.end(), row.in.begin(), row.in.end());
@@ -53,6 +53,14 @@ TEST_P(Glsl, TheExampleOfTheDocsCompiles)
                                 {"src/kernel/prelude_glsl.h", "src/kernel/scree_filter.h",
                                  "src/shaders/scree_set.glsl", (temp / "example.frag").string()}),
               0U);
+}
+
+TEST(DocExample, OfCppIsWhatTheConsumerBuilds)
+{
+    const std::string example = doc_example("cpp");
+    ASSERT_FALSE(example.empty());
+    EXPECT_NE(read_bytes(SCREE_SOURCE "/tests/consumer/shade.cpp").find(example),
+              std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernel, Glsl, both_dialects(), dialect_name);

@@ -1,4 +1,4 @@
-// One row of the table of cases in each row of the target: the 25 numbers of case_outputs() in
+// One row of the table of cases in each row of the target: the 27 numbers of case_outputs() in
 // seven texels. Behind prelude_glsl.h, scree_filter.h and case_outputs.h.
 
 uniform highp sampler2D inputs; // the 32 numbers of a case in eight texels
@@ -19,8 +19,8 @@ void main()
                  i[13], i[14], i[15], i[16], i[17], i[18], i[19], i[20], i[21], i[22], i[23], i[24],
                  i[25], i[26], i[27], i[28], i[29], i[30], i[31], o[0], o[1], o[2], o[3], o[4],
                  o[5], o[6], o[7], o[8], o[9], o[10], o[11], o[12], o[13], o[14], o[15], o[16],
-                 o[17], o[18], o[19], o[20], o[21], o[22], o[23], o[24]);
-    o[25] = o[26] = o[27] = 0.0;
+                 o[17], o[18], o[19], o[20], o[21], o[22], o[23], o[24], o[25], o[26]);
+    o[27] = 0.0;
     int first = 4 * int(gl_FragCoord.x);
     result = vec4(o[first], o[first + 1], o[first + 2], o[first + 3]);
 }

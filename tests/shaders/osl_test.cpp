@@ -1,18 +1,14 @@
-// The kernel and the shaders as Open Shading Language runs them: oslc, testshade and testrender of
-// an install found through $OSL_ROOT or PATH. Skipped, and said so, where there is none.
-
-#include <gtest/gtest.h>
+// The kernel and the shaders as Open Shading Language runs them.
 
 #include <array>
 #include <cmath>
 #include <fstream>
 
-#include "kernel/filter.h"
 #include "pipeline/bake.h"
 #include "shaders/agreement.h"
 #include "shaders/doc_example.h"
-#include "shaders/osl_tools.h"
-#include "support/files.h"
+#include "shaders/osl_fixture.h"
+#include "shaders/sample_set.h"
 #include "support/random_image.h"
 
 namespace scree::test {
@@ -20,43 +16,6 @@ namespace {
 
 using Imath::V2f;
 using Imath::V3f;
-
-class Osl : public ::testing::Test {
-protected:
-    void SetUp() override
-    {
-        tools_ = find_osl();
-        if (!tools_.found())
-            GTEST_SKIP()
-                << "no oslc, testshade, testrender: set OSL_ROOT to an install of Open Shading "
-                   "Language 1.13, or put its bin folder on PATH";
-    }
-
-    void compile(const std::string& source)
-    {
-        const RunResult result =
-            run(temp_.path(), {tools_.oslc.string(), "-I" SCREE_SOURCE "/src",
-                               "-I" SCREE_SOURCE "/tests/kernel", SCREE_SOURCE "/" + source});
-        ASSERT_EQ(result.status, 0) << result.said;
-        EXPECT_EQ(result.said.find("warning"), std::string::npos) << result.said;
-    }
-
-    /// testshade ends with 0 whatever a shader reports, so what it says is looked at too.
-    RunResult shade(const std::vector<std::string>& arguments)
-    {
-        std::vector<std::string> command = {tools_.testshade.string(), "--center", "-d", "float"};
-        command.insert(command.end(), arguments.begin(), arguments.end());
-        RunResult result = run(temp_.path(), command);
-        if (result.said.find("ERROR") != std::string::npos && result.status == 0)
-            result.status = 1;
-        return result;
-    }
-
-    Image output(const std::string& name) { return read_levels(temp_ / (name + ".exr")).at(0); }
-
-    TempFolder temp_;
-    OslTools tools_;
-};
 
 TEST_F(Osl, KernelAgreesWithCppOnTheWholeTable)
 {
@@ -110,133 +69,50 @@ void bake_random(const TempFolder& temp)
     bake_files(temp);
 }
 
-/// Level 2 of a set as the C++ front reads it.
-class LevelTwo {
-public:
-    explicit LevelTwo(const std::filesystem::path& set)
-    {
-        for (const char* map : {"slope", "height", "color", "colorheight", "colorslope", "tail"})
-            levels_.push_back(read_levels(set / (std::string("rough.") + map + ".exr")).at(2));
-    }
-
-    filter::Slopes<float> slopes(int x, int y) const
-    {
-        const Image& m = levels_[0];
-        return filter::slopes<float>(
-            {m.at(x, y, 0), m.at(x, y, 1), m.at(x, y, 2), m.at(x, y, 3), m.at(x, y, 4)},
-            levels_[5].at(x, y, 0));
-    }
-
-    V3f color(int x, int y, const V3f& view, int tier, float light_exponent) const
-    {
-        const filter::Slopes<float> slope = slopes(x, y);
-        const V3f c = rgb(levels_[2], x, y);
-        V3f result = c;
-        if (tier >= 1) {
-            const float exponent = filter::masking(view, slope).lambda + light_exponent;
-            result =
-                filter::color_by_height(c, rgb(levels_[3], x, y), levels_[1].at(x, y, 0),
-                                        levels_[1].at(x, y, 1), filter::visible_height(exponent));
-        }
-        if (tier >= 2) {
-            const Image& m = levels_[4]; // Bs Bt Gs Gt Rs Rt
-            const V3f cs(m.at(x, y, 4), m.at(x, y, 2), m.at(x, y, 0));
-            const V3f ct(m.at(x, y, 5), m.at(x, y, 3), m.at(x, y, 1));
-            const V3f shift = filter::color_by_slope(c, cs, ct, view, slope) - c;
-            for (int i = 0; i < 3; ++i)
-                result[i] = std::max(0.0F, result[i] + shift[i]);
-        }
-        return result;
-    }
-
-private:
-    static V3f rgb(const Image& image, int x, int y)
-    {
-        return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
-    }
-
-    std::vector<Image> levels_;
-};
-
 // 16x16 pixels over 64x64 texels, pixel centres: the lookup is one texel of level 2. OpenImageIO
 // finds the centre of a texel to 2^-23 of the image, the values here are at most 1 apart.
 TEST_F(Osl, RawShaderGivesWhatTheCppFrontMakesOfTheSameTexels)
 {
     bake_random(temp_);
     compile("src/shaders/scree_raw.osl");
-    const LevelTwo set(temp_ / "set");
+    const SampleSet set = read_set(temp_ / "set");
     const V3f view = V3f(0.8F, -0.3F, 0.35F).normalized();
-    for (const int tier : {0, 1, 2}) {
-        const RunResult result = shade({"-g",
-                                        "16",
-                                        "16",
-                                        "--param",
-                                        "folder",
-                                        "set",
-                                        "--param",
-                                        "name",
-                                        "rough",
-                                        "--param",
-                                        "tier",
-                                        std::to_string(tier),
-                                        "--param",
-                                        "light_exponent",
-                                        "0.7",
-                                        "--param",
-                                        "base_alpha",
-                                        "0.1",
-                                        "--param:type=vector",
-                                        "view",
-                                        "0.8,-0.3,0.35",
-                                        "-o",
-                                        "visible_color",
-                                        "color.exr",
-                                        "-o",
-                                        "visible_slope",
-                                        "slope.exr",
-                                        "-o",
-                                        "visible_covariance",
-                                        "covariance.exr",
-                                        "-o",
-                                        "masking",
-                                        "masking.exr",
-                                        "-o",
-                                        "roughness",
-                                        "roughness.exr",
-                                        "scree_raw"});
-        ASSERT_EQ(result.status, 0) << result.said;
-        const Image color = output("color"), slope = output("slope"),
-                    covariance = output("covariance"), masking = output("masking"),
-                    roughness = output("roughness");
-        ASSERT_EQ(color.width, 16);
-        for (int y = 0; y < 16; ++y)
-            for (int x = 0; x < 16; ++x) {
-                const auto slopes = set.slopes(x, y);
-                const auto visible = filter::visible_slopes(view, slopes);
-                const auto hidden = filter::masking(view, slopes);
-                const auto lobe = filter::beckmann_roughness(slopes.covariance, 0.1F);
-                const V3f c = set.color(x, y, view, tier, 0.7F);
-                const std::array<std::pair<const Image*, V3f>, 5> all = {
-                    {{&color, c},
-                     {&slope, {visible.area, visible.mean.x, visible.mean.y}},
-                     {&covariance,
-                      {visible.covariance.ss, visible.covariance.st, visible.covariance.tt}},
-                     {&masking, {hidden.lambda, hidden.g1, slopes.tau}},
-                     {&roughness, {lobe.alpha_x, lobe.alpha_y, lobe.angle_rad}}}};
-                for (const auto& [image, want] : all)
-                    for (int i = 0; i < 3; ++i)
-                        ASSERT_NEAR(image->at(x, y, i), want[i],
-                                    2e-5F * std::max(1.0F, std::abs(want[i])))
-                            << "tier " << tier << " texel " << x << ' ' << y << " channel " << i;
-            }
-    }
+    const RunResult result = shade(words(
+        "-g 16 16 --param folder set --param name rough --param light_exponent 0.7 "
+        "--param base_alpha 0.1 --param:type=vector view 0.8,-0.3,0.35 "
+        "-o visible_color color.exr -o visible_slope slope.exr "
+        "-o visible_covariance covariance.exr -o masking masking.exr -o roughness roughness.exr "
+        "scree_raw"));
+    ASSERT_EQ(result.status, 0) << result.said;
+    const Image color = output("color"), slope = output("slope"), covariance = output("covariance"),
+                masking = output("masking"), roughness = output("roughness");
+    ASSERT_EQ(color.width, 16);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) {
+            const auto slopes = slopes_of(set, 2, x, y);
+            const auto visible = filter::visible_slopes(view, slopes);
+            const auto hidden = filter::masking(view, slopes);
+            const auto lobe = filter::beckmann_roughness(slopes.covariance, 0.1F);
+            const std::array<std::pair<const Image*, V3f>, 5> all = {
+                {{&color, visible_color(set, 2, x, y, view, {1, false, 0.7F})},
+                 {&slope, {visible.area, visible.mean.x, visible.mean.y}},
+                 {&covariance,
+                  {visible.covariance.ss, visible.covariance.st, visible.covariance.tt}},
+                 {&masking, {hidden.lambda, hidden.g1, slopes.tau}},
+                 {&roughness, {lobe.alpha_x, lobe.alpha_y, lobe.angle_rad}}}};
+            for (const auto& [image, want] : all)
+                for (int i = 0; i < 3; ++i)
+                    ASSERT_NEAR(image->at(x, y, i), want[i],
+                                2e-5F * std::max(1.0F, std::abs(want[i])))
+                        << "texel " << x << ' ' << y << " channel " << i;
+        }
 }
 
 TEST_F(Osl, ScaleOfTheHeightsScalesSlopesOnceAndCovariancesTwice)
 {
     bake_random(temp_);
     compile("src/shaders/scree_raw.osl");
-    const LevelTwo set(temp_ / "set");
+    const SampleSet set = read_set(temp_ / "set");
     const RunResult result =
         shade({"-g", "16", "16", "--param", "folder", "set", "--param", "name", "rough", "--param",
                "height_scale", "0.5", "-o", "visible_covariance", "covariance.exr", "scree_raw"});
@@ -244,7 +120,7 @@ TEST_F(Osl, ScaleOfTheHeightsScalesSlopesOnceAndCovariancesTwice)
     const Image covariance = output("covariance");
     for (int y = 0; y < 16; ++y)
         for (int x = 0; x < 16; ++x) {
-            const auto slopes = set.slopes(x, y); // seen from straight above: all of them
+            const auto slopes = slopes_of(set, 2, x, y); // seen from straight above: all of them
             EXPECT_NEAR(covariance.at(x, y, 0), 0.25F * slopes.covariance.ss, 1e-5F);
             EXPECT_NEAR(covariance.at(x, y, 2), 0.25F * slopes.covariance.tt, 1e-5F);
         }
@@ -299,10 +175,10 @@ TEST_F(Rendered, SurfaceShaderShowsHighPartsAtGrazingAngles)
     compile("src/shaders/scree_surface.osl");
     compile("tests/shaders/sky.osl");
 
-    const V3f mean = render("int tier 0; float eta 0;");
-    const V3f seen = render("int tier 1; float eta 0;");
-    const V3f lit = render("int tier 1; float eta 0; float light_exponent 5;");
-    const V3f coated = render("int tier 0; float base_alpha 0.1;");
+    const V3f mean = render("int color_model 0; float eta 0;");
+    const V3f seen = render("int color_model 1; float eta 0;");
+    const V3f lit = render("int color_model 1; float eta 0; float light_exponent 5;");
+    const V3f coated = render("int color_model 0; float base_alpha 0.1;");
     // 2 %: sampling of 32 x 16 x 36 paths.
     EXPECT_NEAR(mean[1], 0.3F, 0.006F);
     EXPECT_NEAR(seen[1], mean[1], 0.006F) << "green does not go with height";
@@ -314,15 +190,18 @@ TEST_F(Rendered, SurfaceShaderShowsHighPartsAtGrazingAngles)
 
 TEST_F(Osl, TheExampleOfTheDocsCompilesAndRuns)
 {
-    bake_random(temp_);
+    bake_sample_into(temp_ / "set", "fractal", 64, 64, MapBy::height); // every map there is
     std::ofstream(temp_ / "my_surface.osl") << doc_example("c");
     const RunResult compiled =
         run(temp_.path(), {tools_.oslc.string(), "-I" SCREE_SOURCE "/src",
                            "-I" SCREE_SOURCE "/src/shaders", "my_surface.osl"});
     ASSERT_EQ(compiled.status, 0) << compiled.said;
-    const RunResult result = shade({"-g", "2", "2", "--param", "folder", "set", "--param", "name",
-                                    "rough", "-o", "Ci", "null", "my_surface"});
-    EXPECT_EQ(result.status, 0) << result.said;
+    for (const char* color_model : {"0", "1", "2", "3"}) {
+        const RunResult result =
+            shade({"-g", "2", "2", "--param", "folder", "set", "--param", "name", "test", "--param",
+                   "color_model", color_model, "-o", "Ci", "null", "my_surface"});
+        EXPECT_EQ(result.status, 0) << result.said;
+    }
 }
 
 TEST_F(Osl, AMissingSetIsNamed)

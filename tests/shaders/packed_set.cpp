@@ -1,17 +1,12 @@
 #include "shaders/packed_set.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
-
-#include "pipeline/bake.h"
-#include "support/sample_source.h"
 
 namespace scree::test {
 
 namespace {
 
+/// Four channels of one map or two; no name: 0.
 struct From {
     const std::vector<Image>* map;
     std::string channel;
@@ -35,50 +30,26 @@ std::vector<Image> packed(const std::array<From, 4>& channels)
 
 } // namespace
 
-SampleSet bake_sample(const std::string& kind, int width, int height)
-{
-    const auto field = make_sample(kind, width, height);
-    MemorySource source = sample_source(*field, width, height);
-    TempFolder temp;
-    BakeOptions options;
-    options.output = temp / "set";
-    options.pixel_type = PixelTypeChoice::float32;
-    options.texel_size = {field->info().world_width / width, field->info().world_height / height};
-    Manifest manifest;
-    manifest.name = "test";
-    bake(source, options, manifest);
-    const auto levels = [&](const std::string& map) {
-        return read_levels(temp / "set" / ("test." + map + ".exr"));
-    };
-    return {static_cast<float>(field->info().world_width),
-            static_cast<float>(field->info().world_height),
-            levels("slope"),
-            levels("height"),
-            levels("color"),
-            levels("colorheight"),
-            levels("tail")};
-}
-
-float value(const Image& image, int x, int y, const std::string& channel)
-{
-    const auto at = std::find(image.channels.begin(), image.channels.end(), channel);
-    if (at == image.channels.end()) {
-        ADD_FAILURE() << "no channel " << channel;
-        return 0;
-    }
-    return image.at(x, y, static_cast<int>(at - image.channels.begin()));
-}
-
 PackedSet pack(const SampleSet& set)
 {
-    const auto rgb = [](const std::vector<Image>& map) {
-        return packed({From{&map, "R"}, From{&map, "G"}, From{&map, "B"}, From{&map, ""}});
+    const auto of = [](const std::vector<Image>& map, const std::array<const char*, 4>& names) {
+        return packed({From{&map, names[0]}, From{&map, names[1]}, From{&map, names[2]},
+                       From{&map, names[3]}});
     };
-    return {packed({From{&set.slope, "s"}, From{&set.slope, "t"}, From{&set.slope, "ss"},
-                    From{&set.slope, "tt"}}),
-            packed({From{&set.slope, "st"}, From{&set.height, "h"}, From{&set.height, "hh"},
-                    From{&set.tail, "tau"}}),
-            rgb(set.color), rgb(set.colorheight)};
+    PackedSet out;
+    out.slope = of(set.slope, {"s", "t", "ss", "tt"});
+    out.extra = packed({From{&set.slope, "st"}, From{&set.height, "h"}, From{&set.height, "hh"},
+                        From{&set.tail, "tau"}});
+    out.color = of(set.color, {"R", "G", "B", ""});
+    out.color_height = of(set.colorheight, {"R", "G", "B", ""});
+    out.rank_b = of(set.rank, {"B1", "B2", "B3", "B4"});
+    out.rank_g = of(set.rank, {"G1", "G2", "G3", "G4"});
+    out.rank_r = of(set.rank, {"R1", "R2", "R3", "R4"});
+    out.color_slope_bg = of(set.colorslope, {"Bs", "Bt", "Gs", "Gt"});
+    out.color_slope_r = of(set.colorslope, {"Rs", "Rt", "", ""});
+    if (set.map.width > 0)
+        out.map = of({set.map}, {"R", "G", "B", ""});
+    return out;
 }
 
 } // namespace scree::test

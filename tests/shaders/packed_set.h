@@ -1,27 +1,16 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
 #include <vector>
 
-#include "support/files.h"
+#include "shaders/sample_set.h"
 
 namespace scree::test {
 
-/// A built-in sample, baked in float32, and its maps as read back: levels, 0 the finest.
-struct SampleSet {
-    float world_width = 0, world_height = 0;
-    std::vector<Image> slope, height, color, colorheight, tail;
-};
-
-SampleSet bake_sample(const std::string& kind, int width, int height);
-
-/// The value of a channel by its name; fails the test when there is none.
-float value(const Image& image, int x, int y, const std::string& channel);
-
-/// The four textures of src/shaders/scree_set.glsl, by the table at its top.
+/// The textures of src/shaders/scree_set.glsl, by the table at its top.
 struct PackedSet {
     std::vector<Image> slope, extra, color, color_height;
+    std::vector<Image> rank_b, rank_g, rank_r, color_slope_bg, color_slope_r;
+    std::vector<Image> map; ///< one level; none where the set has no color map
 };
 
 PackedSet pack(const SampleSet& set);

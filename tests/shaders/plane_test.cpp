@@ -40,23 +40,13 @@ const V3f kIrradiance(6, 5.8F, 5.4F);
 /// The kernel's C++ front on one texel, read by the names of the files' channels.
 V3f radiance(const SampleSet& set, size_t level, int x, int y, const V3f& wo, const Scene& scene)
 {
-    const auto slope = [&](const char* name) { return value(set.slope[level], x, y, name); };
-    const auto rgb = [&](const Image& map) {
-        return V3f(value(map, x, y, "R"), value(map, x, y, "G"), value(map, x, y, "B"));
-    };
-    filter::Slopes<float> slopes = filter::slopes(
-        filter::SlopeMoments<float>{slope("s"), slope("ss"), slope("st"), slope("t"), slope("tt")},
-        value(set.tail[level], x, y, "tau"));
+    filter::Slopes<float> slopes = slopes_of(set, level, x, y);
     if (scene.model == kPlainMip)
         slopes = {slopes.mean, {}, 0};
-    V3f color = rgb(set.color[level]);
-    if (scene.model == kColorByHeight) {
-        const float exponent =
-            filter::masking(wo, slopes).lambda + filter::masking(scene.light, slopes).lambda;
-        color = filter::color_by_height(
-            color, rgb(set.colorheight[level]), value(set.height[level], x, y, "h"),
-            value(set.height[level], x, y, "hh"), filter::visible_height(exponent));
-    }
+    ColorLook look;
+    look.color_model = scene.model == kColorByHeight ? 1 : 0;
+    look.light_exponent = filter::masking(scene.light, slopes).lambda;
+    const V3f color = visible_color(set, level, x, y, wo, look);
     const float diffuse = filter::diffuse(wo, scene.light, slopes);
     const float specular = filter::specular(wo, scene.light, slopes, scene.base_alpha);
     const V3f half = (wo + scene.light).normalized();
@@ -407,23 +397,11 @@ TEST_P(PlaneShader, ExplicitLevelsAndTheOtherFunctionsAreThoseOfTheCppFront)
         }
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
-                const auto get = [&](const std::vector<Image>& map, const char* channel) {
-                    return value(map[level], x, y, channel);
-                };
-                const auto rgb = [&](const std::vector<Image>& map) {
-                    return V3f(get(map, "R"), get(map, "G"), get(map, "B"));
-                };
-                const auto slopes = filter::slopes(
-                    filter::SlopeMoments<float>{get(set.slope, "s"), get(set.slope, "ss"),
-                                                get(set.slope, "st"), get(set.slope, "t"),
-                                                get(set.slope, "tt")},
-                    get(set.tail, "tau"));
+                const auto slopes = slopes_of(set, level, x, y);
                 const V3f normal = filter::normal(filter::visible_slopes(wo, slopes).mean);
                 const auto rough = filter::beckmann_roughness(slopes.covariance, base_alpha);
                 const float lambda = filter::masking(wo, slopes).lambda;
-                const V3f color = filter::color_by_height(
-                    rgb(set.color), rgb(set.colorheight), get(set.height, "h"),
-                    get(set.height, "hh"), filter::visible_height(lambda));
+                const V3f color = visible_color(set, level, x, y, wo, {});
                 const float want[3][4] = {{normal.x, normal.y, normal.z, 0},
                                           {rough.alpha_x, rough.alpha_y, rough.angle_rad, 0},
                                           {color.x, color.y, color.z, lambda}};
