@@ -13,7 +13,7 @@
 #include "pipeline/level_report.h"
 #include "pipeline/map_choice.h"
 #include "pipeline/model_choice.h"
-#include "pipeline/storage_error.h"
+#include "pipeline/pixel_types.h"
 #include "pipeline/surface.h"
 #include "pipeline/warnings.h"
 #include "pipeline/write_pass.h"
@@ -39,42 +39,34 @@ struct Pass {
     LevelReport report;
 };
 
-/// Measures what storage costs, and takes half where it costs little; and, where that is asked
-/// for, what every color model costs. The latter knows the levels of maps that are dropped, too.
+/// Goes over the surface to measure: what storage costs, for the pixel types, and what every color
+/// model costs, for the choice of maps. The levels reported then know of maps that are dropped.
 void measure(const Surface& surface, const std::vector<Map>& maps, const MapTable* table,
              Manifest& manifest)
 {
     const BakeOptions& options = surface.options;
+    const int width = surface.width(), height = surface.height();
     Pass pass(surface, maps, options.rank_terms);
     std::vector<TexelVisitor*> visitors;
-    std::vector<std::unique_ptr<StorageError>> errors;
-    for (const TextureRecord& texture : manifest.textures) {
-        errors.push_back(std::make_unique<StorageError>(texture.map, pass.layout, surface.scale(),
-                                                        surface.width(), surface.height()));
-        if (options.pixel_type == PixelTypeChoice::automatic && texture.map != Map::map)
-            visitors.push_back(errors.back().get());
-    }
+    auto visit = [&visitors](const std::vector<TexelVisitor*>& more) {
+        visitors.insert(visitors.end(), more.begin(), more.end());
+    };
+    std::optional<PixelTypes> types;
     std::optional<ModelErrors> models;
+    if (options.pixel_type == PixelTypeChoice::automatic)
+        visit(types.emplace(manifest.textures, pass.layout, surface.scale(), width, height)
+                  .visitors());
     if (options.auto_maps) {
-        models.emplace(pass.layout, surface.scale(), table, options.max_view_angle_deg,
-                       surface.width(), surface.height());
-        visitors.push_back(&*models);
-        for (TexelVisitor* visitor : pass.report.visitors())
-            visitors.push_back(visitor);
+        visit({&models.emplace(pass.layout, surface.scale(), table, options.max_view_angle_deg,
+                               width, height)});
+        visit(pass.report.visitors());
     }
     StripReader strips(surface.source, surface.found, options, false);
-    MomentPyramid pyramid(pass.layout, surface.width(), surface.height(), visitors);
-    measure_pass(strips, pyramid, pass.texels, surface.height(), surface.monitor);
+    MomentPyramid pyramid(pass.layout, width, height, visitors);
+    measure_pass(strips, pyramid, pass.texels, height, surface.monitor);
 
-    for (size_t i = 0; i < errors.size(); ++i) {
-        TextureRecord& texture = manifest.textures[i];
-        if (options.pixel_type != PixelTypeChoice::automatic || texture.map == Map::map)
-            continue;
-        texture.half_error = errors[i]->half_error();
-        texture.float_error = errors[i]->float_error();
-        const bool half_will_do = *texture.half_error <= options.half_tolerance;
-        texture.type = half_will_do ? PixelType::half : PixelType::float32;
-    }
+    if (types)
+        types->choose(manifest.textures, options.half_tolerance);
     if (models) {
         manifest.model_choice = choose_models(*models, maps, options);
         manifest.levels = pass.report.summaries();

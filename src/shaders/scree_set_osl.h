@@ -104,7 +104,7 @@ color scree_rank_color(string folder, string name, float s, float t, color c, fl
     int terms = channels / 3;
     color result = 0;
     for (int i = 0; i < 3; ++i) {
-        float a[8] = { 0, 0, 0, 0, 0, 0, 0, 0 };
+        float a[8] = {0, 0, 0, 0, 0, 0, 0, 0};
         for (int n = 0; n < max(terms, 1); n += 4) { // a file that is not there is looked up too
             float fourth = 0;
             color three = scree_lookup(file, s, t, (2 - i) * terms + n, fourth);
@@ -113,8 +113,8 @@ color scree_rank_color(string folder, string name, float s, float t, color c, fl
             a[n + 2] = n + 2 < terms ? three[2] : 0;
             a[n + 3] = n + 3 < terms ? fourth : 0;
         }
-        result[i] = scree_color_by_rank(c[i], a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7],
-                                        exponent);
+        result[i] =
+            scree_color_by_rank(c[i], a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], exponent);
     }
     return result;
 }
@@ -157,7 +157,7 @@ color scree_map_color(string folder, string name, float s, float t, vector w, Sc
             scree_slope_magnitude(vs, vt, vss, vtt, mean, deviation);
     }
     float low = 0, high = 1, widest = 1, x = 0, y = 0;
-    int size[2] = { 1, 1 };
+    int size[2] = {1, 1};
     gettextureinfo(file, "scree:meanLow", low);
     gettextureinfo(file, "scree:meanHigh", high);
     gettextureinfo(file, "scree:widestDeviation", widest);
@@ -215,8 +215,8 @@ color scree_visible_color(string folder, string name, float s, float t, float he
     else if (color_model == 3)
         result = scree_map_color(folder, name, s, t, w, f, exponent, by);
     if (add_slope)
-        result = max(color(0), result - c + scree_slope_color(folder, name, s, t, height_scale, w,
-                                                              f, c));
+        result = max(color(0),
+                     result - c + scree_slope_color(folder, name, s, t, height_scale, w, f, c));
     return result;
 }
 
