@@ -48,8 +48,9 @@ Rgb density_average(const ColorMap& map, double low, double high, double step,
                 add(from + node.at * width, node.weight * width, a, b, node.at);
             return;
         }
-        const double parts = std::ceil(width / step), part = width / parts;
-        for (double i = 0; i < parts; ++i)
+        const int parts = static_cast<int>(std::ceil(width / step));
+        const double part = width / parts;
+        for (int i = 0; i < parts; ++i)
             for (const Node& node : kFour)
                 add(from + (i + node.at) * part, node.weight * part, a, b, (i + node.at) / parts);
     };

@@ -75,7 +75,7 @@ using std::sqrt;
 /// Through int: rounding to it is one vector instruction everywhere, and so is making the power.
 [[gnu::always_inline]] inline float scree_exp2_minus_nearest(float x, float& n)
 {
-    const auto k = static_cast<int32_t>(x + 0.5F);
+    const auto k = static_cast<int32_t>(x + 0.5F); // NOLINT(bugprone-incorrect-roundings): x >= 0
     n = static_cast<float>(k);
     const uint32_t keep = 0U - static_cast<uint32_t>(k <= 118); // all bits or none
     const auto bits = (static_cast<uint32_t>(127 - k) << 23U) & keep;
@@ -85,7 +85,7 @@ using std::sqrt;
 }
 [[gnu::always_inline]] inline double scree_exp2_minus_nearest(double x, double& n)
 {
-    const auto k = static_cast<int32_t>(x + 0.5);
+    const auto k = static_cast<int32_t>(x + 0.5); // NOLINT(bugprone-incorrect-roundings): x >= 0
     n = static_cast<double>(k);
     const uint64_t keep = 0U - static_cast<uint64_t>(k <= 1000);
     const auto bits = (static_cast<uint64_t>(1023 - k) << 52U) & keep;

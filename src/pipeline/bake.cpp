@@ -24,20 +24,13 @@ namespace scree {
 
 namespace {
 
-/// A pass over a surface for certain maps.
-struct Pass {
-    Pass(const Surface& of, const std::vector<Map>& maps, int rank_terms)
-        : surface(of), layout(moments_for(maps, rank_terms, of.source, of.options)),
-          texels(layout, of.found, of.options, of.mapped ? &*of.mapped : nullptr, of.width(),
-                 of.texel[0], of.texel[1]),
-          report(layout, of.width(), of.height(), of.found.h1)
-    {}
-
-    const Surface& surface;
-    MomentLayout layout;
-    TexelMoments texels;
-    LevelReport report;
-};
+TexelMoments texels_of(const Surface& surface, const MomentLayout& layout)
+{
+    return {layout,          surface.found,
+            surface.options, surface.mapped ? &*surface.mapped : nullptr,
+            surface.width(), surface.texel[0],
+            surface.texel[1]};
+}
 
 /// Goes over the surface to measure: what storage costs, for the pixel types, and what every color
 /// model costs, for the choice of maps. The levels reported then know of maps that are dropped.
@@ -46,7 +39,8 @@ void measure(const Surface& surface, const std::vector<Map>& maps, const MapTabl
 {
     const BakeOptions& options = surface.options;
     const int width = surface.width(), height = surface.height();
-    Pass pass(surface, maps, options.rank_terms);
+    const MomentLayout layout = moments_for(maps, options.rank_terms, surface.source, options);
+    LevelReport report(layout, width, height, surface.found.h1);
     std::vector<TexelVisitor*> visitors;
     auto visit = [&visitors](const std::vector<TexelVisitor*>& more) {
         visitors.insert(visitors.end(), more.begin(), more.end());
@@ -54,22 +48,21 @@ void measure(const Surface& surface, const std::vector<Map>& maps, const MapTabl
     std::optional<PixelTypes> types;
     std::optional<ModelErrors> models;
     if (options.pixel_type == PixelTypeChoice::automatic)
-        visit(types.emplace(manifest.textures, pass.layout, surface.scale(), width, height)
-                  .visitors());
+        visit(types.emplace(manifest.textures, layout, surface.scale(), width, height).visitors());
     if (options.auto_maps) {
-        visit({&models.emplace(pass.layout, surface.scale(), table, options.max_view_angle_deg,
-                               width, height)});
-        visit(pass.report.visitors());
+        visit({&models.emplace(layout, surface.scale(), table, options.max_view_angle_deg, width,
+                               height)});
+        visit(report.visitors());
     }
     StripReader strips(surface.source, surface.found, options, false);
-    MomentPyramid pyramid(pass.layout, width, height, visitors);
-    measure_pass(strips, pyramid, pass.texels, height, surface.monitor);
+    MomentPyramid pyramid(layout, width, height, visitors);
+    measure_pass(strips, pyramid, texels_of(surface, layout), height, surface.monitor);
 
     if (types)
         types->choose(manifest.textures, options.half_tolerance);
     if (models) {
         manifest.model_choice = choose_models(*models, maps, options);
-        manifest.levels = pass.report.summaries();
+        manifest.levels = report.summaries();
     }
 }
 
@@ -98,9 +91,10 @@ std::vector<LevelSummary> write_textures(const Surface& surface, const std::vect
 {
     const int rank_terms =
         manifest.model_choice ? rank_terms_of(*manifest.model_choice) : surface.options.rank_terms;
-    Pass pass(surface, maps, rank_terms);
+    const MomentLayout layout = moments_for(maps, rank_terms, surface.source, surface.options);
+    LevelReport report(layout, surface.width(), surface.height(), surface.found.h1);
     std::vector<TextureOutput> outputs;
-    std::vector<TexelVisitor*> visitors = pass.report.visitors();
+    std::vector<TexelVisitor*> visitors = report.visitors();
     for (const TextureRecord& texture : manifest.textures) {
         if (texture.map == Map::map)
             continue;
@@ -112,14 +106,15 @@ std::vector<LevelSummary> write_textures(const Surface& surface, const std::vect
                                                 attributes_of(texture.map, manifest)}),
             nullptr};
         output.rows =
-            std::make_unique<TextureRows>(texture.map, pass.layout, surface.scale(), *output.file);
+            std::make_unique<TextureRows>(texture.map, layout, surface.scale(), *output.file);
         visitors.push_back(output.rows.get());
         outputs.push_back(std::move(output));
     }
     StripReader strips(surface.source, surface.found, surface.options, true);
-    MomentPyramid pyramid(pass.layout, surface.width(), surface.height(), visitors);
-    write_pass(strips, pyramid, pass.texels, outputs, surface.height(), surface.monitor);
-    return pass.report.summaries();
+    MomentPyramid pyramid(layout, surface.width(), surface.height(), visitors);
+    write_pass(strips, pyramid, texels_of(surface, layout), outputs, surface.height(),
+               surface.monitor);
+    return report.summaries();
 }
 
 /// Limits all threads, Scree's and those of the image libraries, while it exists.
