@@ -98,7 +98,7 @@ void add_options(CLI::App& command, BakeWords& words)
                       "OpenColorIO config [$OCIO, or a small one that Scree carries]");
     color->add_option("--color-space", o.color_space,
                       "color space of the color file [its header's, or the config's file rules; of "
-                      "a .cpt color_picking, of a LUT scene_linear]");
+                      "a .cpt sRGB, of a LUT the role scene_linear]");
     color->add_option("--working-space", o.working_space,
                       "scene-linear space that colors are averaged and stored in [the config's "
                       "scene_linear role]");
@@ -177,9 +177,10 @@ void interpret(BakeWords& words)
         o.pixel_type = pixel_type_choice_named(words.pixel_type);
         o.compression = compression_named(words.compression);
         o.layout = layout_named(words.layout);
-        o.auto_maps = words.maps == std::vector<std::string>{"auto"};
         for (const auto& name : words.maps)
-            if (!o.auto_maps)
+            if (name == "auto")
+                o.auto_maps = true;
+            else
                 o.maps.push_back(map_named(name));
         if (!words.map_range.empty())
             o.map_range = {words.map_range.front(), words.map_range.back()};

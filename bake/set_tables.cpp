@@ -136,9 +136,18 @@ void print_model_choice(const Manifest& m)
     fmt::print("\nmodels for views to {:g} degrees, tolerance {:g}; what each costs in visible "
                "color (rms, relative)\n",
                choice.max_view_angle_deg, choice.tolerance);
-    for (const ModelRecord& model : choice.models)
-        fmt::print("  {:20} {:+3} channels  error {:.2g}{}\n", model.model, model.channels,
-                   model.error, model.chosen ? "  chosen" : "");
+    bool within = true;
+    for (const ModelRecord& model : choice.models) {
+        const bool drops = model.channels < 0; // "without ..."
+        const char* decision =
+            drops ? (model.chosen ? "dropped" : "kept") : (model.chosen ? "chosen" : "");
+        within = within && (drops || !model.chosen || model.error <= choice.tolerance);
+        fmt::print("  {:20} {:+3} channels  error {:<8.2g} {}\n", model.model, model.channels,
+                   model.error, decision);
+    }
+    if (!within)
+        fmt::print("  none is within the tolerance; the cheapest within it of the most accurate is "
+                   "chosen\n");
 }
 
 } // namespace scree::tool

@@ -48,8 +48,11 @@ Rgb ColorMap::at(double x) const
                                         [](double value, const Knot& k) { return value < k.x; });
     if (after == knots_.begin())
         return knots_.front().color;
-    if (after == knots_.end())
-        return knots_.back().color;
+    if (after == knots_.end()) {
+        const auto inside = knots_.rbegin() + 1;
+        const bool at_end = x == last() && first() < last() && inside->x == x;
+        return at_end ? inside->color : knots_.back().color;
+    }
     const Knot &a = *std::prev(after), &b = *after;
     const double t = (x - a.x) / (b.x - a.x);
     Rgb color;

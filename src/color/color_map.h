@@ -18,7 +18,7 @@ struct Knot {
 ///
 /// Two knots of the same x are a jump, and the map takes the right one's color there. Before the
 /// first knot and after the last it is constant; a jump at an end gives what lies outside a color
-/// of its own.
+/// of its own, and the end itself the color inside.
 class ColorMap {
 public:
     /// knots  at least one, finite, x not decreasing; of several at one x the first and last count

@@ -80,8 +80,6 @@ void drop_maps(const BakeOptions& options, std::vector<Map>& maps, Manifest& man
         kept.push_back(std::move(texture));
     }
     manifest.textures = std::move(kept);
-    if (manifest.color_map && std::find(maps.begin(), maps.end(), Map::map) == maps.end())
-        manifest.color_map->table.reset();
 }
 
 /// Writes all textures but the table of a color map; returns the summaries of their levels.
@@ -133,12 +131,19 @@ private:
     tbb::global_control tbb_;
 };
 
-/// The table of a color map, where the set is to have one, as the manifest records it.
-std::optional<ColorTable> make_table(const Surface& surface, const std::vector<Map>& maps)
+bool has_table(const Manifest& manifest)
 {
-    if (std::find(maps.begin(), maps.end(), Map::map) == maps.end())
-        return std::nullopt;
-    return color_table(*surface.mapped, surface.found, surface.options.map_tolerance);
+    return std::any_of(manifest.textures.begin(), manifest.textures.end(),
+                       [](const TextureRecord& texture) { return texture.map == Map::map; });
+}
+
+void write_table(const ColorTable& table, Manifest& manifest, const std::filesystem::path& folder)
+{
+    manifest.color_map->table = table.record;
+    for (const TextureRecord& texture : manifest.textures)
+        if (texture.map == Map::map)
+            write_color_table(table.table, folder / texture.file,
+                              attributes_of(Map::map, manifest));
 }
 
 Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& options,
@@ -157,9 +162,11 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
     std::vector<Map> maps =
         choose_maps(source, options, surface.has_color(), surface.found.complete);
     manifest.textures = textures_for(maps, options.rank_terms, options, manifest.name);
-    const std::optional<ColorTable> table = make_table(surface, maps);
-    if (table)
-        manifest.color_map->table = table->record;
+    const bool by_height = options.map_by == MapBy::height;
+    std::optional<ColorTable>
+        table; // by height first, to be measured; by slope when slopes are known
+    if (has_table(manifest) && by_height)
+        table = color_table_by_height(*surface.mapped, surface.found, options.map_tolerance);
 
     if (options.auto_maps || options.pixel_type == PixelTypeChoice::automatic)
         measure(surface, maps, table ? &table->table : nullptr, manifest);
@@ -168,14 +175,17 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
     std::vector<LevelSummary> written = write_textures(surface, maps, manifest, folder.path());
     if (manifest.levels.empty())
         manifest.levels = std::move(written);
-    for (const TextureRecord& texture : manifest.textures)
-        if (texture.map == Map::map)
-            write_color_table(table->table, folder.path() / texture.file,
-                              attributes_of(Map::map, manifest));
+    if (has_table(manifest) && !by_height)
+        table =
+            color_table_by_slope(*surface.mapped, manifest.levels.front(), options.map_tolerance);
+    if (has_table(manifest))
+        write_table(*table, manifest, folder.path());
 
     for (auto& warning : rejects_warnings(surface.found.rejects))
         manifest.warnings.push_back(std::move(warning));
     for (auto& warning : scale_warnings(manifest, options))
+        manifest.warnings.push_back(std::move(warning));
+    for (auto& warning : color_map_warnings(manifest))
         manifest.warnings.push_back(std::move(warning));
     write_manifest(manifest, folder.path());
     monitor.report("bake", 1);

@@ -12,50 +12,55 @@ namespace scree {
 
 namespace {
 
-struct TableRange {
-    double low, high, widest;
-};
-
-TableRange range_of(const MappedColor& mapped, const Survey& survey)
+ColorTable recorded(const FilteredMap& filtered)
 {
-    const double first = mapped.map.first(), last = mapped.map.last(), width = last - first;
-    switch (mapped.by) {
-    case MapBy::height:
-        return {survey.height_min, survey.height_max, (survey.height_max - survey.height_min) / 2};
-    case MapBy::slope:
-        return {first - width / 2, last + width / 2, width};
-    case MapBy::slope_magnitude:
-        break;
-    }
-    return {0, std::max(0.0, last + width / 2), width};
+    MapTableRecord record;
+    record.columns = filtered.table.columns;
+    record.rows = filtered.table.rows;
+    record.low = filtered.table.low;
+    record.high = filtered.table.high;
+    record.widest = filtered.table.widest;
+    record.tolerance = filtered.tolerance;
+    record.rms_error = filtered.rms_error;
+    record.largest_error = filtered.largest_error;
+    return {filtered.table, record};
 }
 
 } // namespace
 
-ColorTable color_table(const MappedColor& mapped, const Survey& survey, double tolerance)
+ColorTable color_table_by_height(const MappedColor& mapped, const Survey& survey, double tolerance)
 {
-    const TableRange range = range_of(mapped, survey);
-    const MapVariable variable =
-        mapped.by == MapBy::slope_magnitude ? MapVariable::magnitude : MapVariable::normal;
-    const FilteredMap filtered =
-        make_filtered_map(mapped.map, variable, range.low, range.high, range.widest, tolerance);
-    MapTableRecord record;
-    record.columns = filtered.table.columns;
-    record.rows = filtered.table.rows;
-    const bool by_height = mapped.by == MapBy::height;
-    record.low = by_height ? (range.low - survey.h0) / survey.h1 : range.low;
-    record.high = by_height ? (range.high - survey.h0) / survey.h1 : range.high;
-    record.widest = by_height ? range.widest / survey.h1 : range.widest;
-    record.tolerance = tolerance;
-    record.rms_error = filtered.rms_error;
-    record.largest_error = filtered.largest_error;
-    if (by_height) {
-        const ShortcutError shortcut =
-            shortcut_error(mapped.map, range.low, range.high, range.widest);
-        record.shortcut_rms = shortcut.rms;
-        record.shortcut_largest = shortcut.largest;
-    }
-    return {filtered.table, record};
+    const double low = survey.height_min, high = survey.height_max, widest = (high - low) / 2;
+    ColorTable made =
+        recorded(make_filtered_map(mapped.map, MapVariable::normal, low, high, widest, tolerance));
+    const ShortcutError shortcut = shortcut_error(mapped.map, low, high, widest);
+    made.record.shortcut_rms = shortcut.rms;
+    made.record.shortcut_largest = shortcut.largest;
+    // A renderer has heights normalised.
+    made.record.low = (low - survey.h0) / survey.h1;
+    made.record.high = (high - survey.h0) / survey.h1;
+    made.record.widest = widest / survey.h1;
+    return made;
+}
+
+ColorTable color_table_by_slope(const MappedColor& mapped, const LevelSummary& finest,
+                                double tolerance)
+{
+    const auto [steepest_s, steepest_t] = *finest.steepest;
+    const bool by_length = mapped.by == MapBy::slope_magnitude;
+    const double mean = by_length ? std::hypot(steepest_s, steepest_t)
+                                  : std::abs(mapped.azimuth_s) * steepest_s +
+                                        std::abs(mapped.azimuth_t) * steepest_t;
+    // A ridge inside a texel is steeper than the texel's mean, and than its neighbours' halves of
+    // it.
+    const double steepest = std::max(2 * mean, 4 * *finest.rms_slope);
+    const double first = mapped.map.first(), last = mapped.map.last();
+    const double beyond = std::max(last - first, 3 * *finest.rms_slope);
+    const double low = std::clamp(first - beyond, by_length ? 0 : -steepest, steepest);
+    const double high = std::clamp(last + beyond, low, steepest);
+    return recorded(make_filtered_map(mapped.map,
+                                      by_length ? MapVariable::magnitude : MapVariable::normal, low,
+                                      high, steepest, tolerance));
 }
 
 ColorMapRecord color_map_record(const MappedColor& mapped, const BakeOptions& options)

@@ -58,6 +58,10 @@ void LevelStatistics::texels(int level, int /*y*/, int x0, int count, MomentRow 
         for (int i = 0; i < count; ++i)
             squares[i] = s[i] * s[i] + t[i] * t[i];
         sums.mean_square += weighted_sum(weight, squares, count);
+        for (int i = 0; i < count; ++i) { // without data they are 0
+            sums.steepest_s = std::max(sums.steepest_s, std::abs(s[i]));
+            sums.steepest_t = std::max(sums.steepest_t, std::abs(t[i]));
+        }
     }
     if (layout_.slope_tail >= 0)
         for (int i = 0; i < count; ++i) {
@@ -79,6 +83,8 @@ LevelStatistics::Sums LevelStatistics::total(const std::vector<Sums>& blocks) co
         total.kurtosis += blocks[b].kurtosis;
         total.tau += blocks[b].tau;
         total.mean_square += blocks[b].mean_square;
+        total.steepest_s = std::max(total.steepest_s, blocks[b].steepest_s);
+        total.steepest_t = std::max(total.steepest_t, blocks[b].steepest_t);
         for (size_t p = 0; p < total.planes.size(); ++p)
             total.planes[p] += blocks[b].planes[p];
     }
@@ -100,6 +106,7 @@ std::vector<LevelSummary> LevelStatistics::summaries() const
         if (layout_.slope_s >= 0) {
             const double inside = mean(layout_.slope_ss) + mean(layout_.slope_tt);
             level.mean_slope = {mean(layout_.slope_s), mean(layout_.slope_t)};
+            level.steepest = {sums.steepest_s, sums.steepest_t};
             level.rms_slope = std::sqrt(sums.mean_square / sums.weight + inside);
             level.slope_sigma = std::sqrt(inside);
         }

@@ -25,6 +25,7 @@ private:
         double slope_weight = 0, kurtosis = 0, tau = 0;
         std::vector<double> planes; ///< weighted sum of each moment
         double mean_square = 0;     ///< weighted sum of s^2 + t^2 of the mean slopes
+        double steepest_s = 0, steepest_t = 0;
     };
     [[nodiscard]] Sums total(const std::vector<Sums>& blocks) const;
 

@@ -66,7 +66,8 @@ MomentLayout moments_for(const std::vector<Map>& maps, int rank_terms, const Sou
         require_moments(map, rank_terms, set);
     set.height = set.height && source.has_heights();
     const bool mapped_by_slope = !options.colormap_file.empty() && options.map_by != MapBy::height;
-    set.slope = set.slope || (set.color && mapped_by_slope);
+    const bool has_table = std::find(maps.begin(), maps.end(), Map::map) != maps.end();
+    set.slope = set.slope || ((set.color || has_table) && mapped_by_slope);
     return MomentLayout(set);
 }
 

@@ -72,8 +72,9 @@ MappedColor placed(const ColorMapInput& input, const BakeOptions& options, const
         throw Error(fmt::format("{}: states no range of slopes of its own; give --map-range LOW "
                                 "HIGH, the slopes of its two ends",
                                 input.path));
-    mapped.map = file.hinge ? file.map.stretched(range[0], range[1], {0, *file.hinge})
-                            : file.map.stretched(range[0], range[1]);
+    const bool hinged = file.hinge && options.map_by == MapBy::height;
+    mapped.map = hinged ? file.map.stretched(range[0], range[1], *file.hinge)
+                        : file.map.stretched(range[0], range[1]);
     return mapped;
 }
 

@@ -33,16 +33,17 @@ ModelChoice choose_models(const ModelErrors& errors, const std::vector<Map>& map
                           const BakeOptions& options)
 {
     ModelChoice choice{options.max_view_angle_deg, options.model_tolerance, {}};
-    if (has(maps, Map::height) && has(maps, Map::color)) {
+    if (has(maps, Map::height) && has(maps, Map::color) && !mapped_by_slope(options)) {
         choice.models = errors.color_models();
-        auto best =
-            std::find_if(choice.models.begin(), choice.models.end(), [&options](const auto& model) {
-                return model.error <= options.model_tolerance;
-            });
-        if (best == choice.models.end())
-            best = std::min_element(choice.models.begin(), choice.models.end(),
-                                    [](const auto& a, const auto& b) { return a.error < b.error; });
-        best->chosen = true;
+        const double tolerance = options.model_tolerance;
+        const double best =
+            std::min_element(choice.models.begin(), choice.models.end(),
+                             [](const auto& a, const auto& b) { return a.error < b.error; })
+                ->error;
+        const double limit = best <= tolerance ? tolerance : best + tolerance;
+        std::find_if(choice.models.begin(), choice.models.end(), [limit](const auto& model) {
+            return model.error <= limit;
+        })->chosen = true;
     }
     auto judge = [&](Map map, int channels, double error) {
         if (has(maps, map))

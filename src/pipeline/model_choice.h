@@ -9,15 +9,17 @@
 namespace scree {
 
 /// Which models a set needs so that no view loses more than the tolerance: of the ways to show
-/// color by height the one of fewest channels that is within it, or else the most accurate; and
-/// color-slope and tail where more is lost without them.
+/// color by height the one of fewest channels that is within it, or where none is, within it of the
+/// most accurate; and color-slope and tail where more is lost without them.
+///
+/// A surface colored by slope needs no way to show color by height: its table sees the slope.
 ///
 /// maps  all that the inputs allow
 ModelChoice choose_models(const ModelErrors& errors, const std::vector<Map>& maps,
                           const BakeOptions& options);
 
 /// The maps that a choice reads. Slope, color and coverage stay in any case; a color map by slope
-/// stays and makes color-slope, its first order, superfluous.
+/// stays in place of color-slope, its first order.
 std::vector<Map> maps_of(const ModelChoice& choice, const std::vector<Map>& maps,
                          const BakeOptions& options);
 

@@ -53,8 +53,13 @@ ModelErrors::ModelErrors(const MomentLayout& layout, const ValueScale& scale, co
     models_.push_back({"mean color", 0, 0});
     if (table != nullptr)
         models_.push_back({"map", 2, 0}); // height
-    for (int terms = 1; terms <= layout.rank_terms; terms *= 2)
+    auto add_rank = [this](int terms) {
         models_.push_back({"rank " + std::to_string(terms), 3 * terms, terms});
+    };
+    for (int terms = 1; terms < layout.rank_terms; terms *= 2)
+        add_rank(terms);
+    if (layout.rank_terms > 0)
+        add_rank(layout.rank_terms);
     if (layout.color_height >= 0)
         models_.push_back({"colorheight", 5, 0}); // and height
     std::stable_sort(models_.begin(), models_.end(),

@@ -18,7 +18,8 @@ namespace scree {
 /// color model, not that of Smith's masking. Elevations are a quarter, a half, three quarters and
 /// all of the largest view angle, azimuths +s, +t, -s, -t. The error of a model is the rms over
 /// texels, azimuths and R, G, B, of the worst level and elevation, relative to the rms of the map's
-/// mean color.
+/// mean color. The models stop at black, as the kernel does: of negative colors that is part of
+/// their error.
 ///
 /// Two maps are judged by what the view loses without them: color-slope by the color it would
 /// add, likewise relative; tail by how much it changes the projected area, relative, and the

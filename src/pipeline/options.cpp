@@ -46,6 +46,23 @@ const Choices<Reconstruction> kReconstructions = {{"bilinear", Reconstruction::b
                                                   {"sobel", Reconstruction::sobel}};
 const Choices<Layout> kLayouts = {{"scree", Layout::scree}, {"bumpslopes", Layout::bumpslopes}};
 
+void expect_tolerance(double tolerance, const char* option)
+{
+    if (!(tolerance > 0) || !std::isfinite(tolerance))
+        throw Error(fmt::format("{} {}: must be above 0, and finite", option, tolerance));
+}
+
+void expect_range(double low, double high)
+{
+    constexpr double kLargest = 1e30; // squares of differences stay far from the largest double
+    if (!(low < high))
+        throw Error(
+            fmt::format("--map-range: {} to {} is no range; give the lower end first", low, high));
+    if (!(std::abs(low) <= kLargest && std::abs(high) <= kLargest))
+        throw Error(fmt::format("--map-range: {} to {} is wider than any surface ({:g})", low, high,
+                                kLargest));
+}
+
 } // namespace
 
 void expect_sensible(const BakeOptions& options)
@@ -63,28 +80,31 @@ void expect_sensible(const BakeOptions& options)
     expect_positive(options.world_size, "--world-size");
     if (!std::isfinite(options.height_scale) || !std::isfinite(options.height_offset))
         throw Error("--height-scale and --height-offset must be finite");
-    if (!(options.half_tolerance >= 0))
-        throw Error("--half-tolerance must be 0 or more");
+    if (!(options.half_tolerance >= 0) || !std::isfinite(options.half_tolerance))
+        throw Error("--half-tolerance must be 0 or more, and finite");
     if (options.output.empty())
         throw Error("no output folder; give -o DIR");
     if (!options.color_file.empty() && !options.colormap_file.empty())
         throw Error("--color and --colormap both say what color the surface has; give one of them");
-    if (options.map_range && !((*options.map_range)[0] < (*options.map_range)[1]))
-        throw Error(fmt::format("--map-range: {} to {} is no range; give the lower end first",
-                                (*options.map_range)[0], (*options.map_range)[1]));
+    if (options.map_range)
+        expect_range((*options.map_range)[0], (*options.map_range)[1]);
+    if (options.colormap_file.empty() && (options.map_range || options.map_by != MapBy::height))
+        throw Error("--map-range and --map-by speak of a color map; give --colormap");
+    if (!std::isfinite(options.map_azimuth_deg))
+        throw Error("--map-azimuth must be finite");
+    expect_tolerance(options.map_tolerance, "--map-tolerance");
     if (options.auto_maps && !options.maps.empty())
         throw Error("--maps auto chooses by itself; give auto, or the maps to bake");
     if (!(options.max_view_angle_deg >= 0 && options.max_view_angle_deg < 90))
         throw Error(fmt::format("--max-view-angle {}: must be 0 (from above) to below 90 degrees",
                                 options.max_view_angle_deg));
-    if (!(options.model_tolerance > 0))
-        throw Error("--model-tolerance must be above 0");
-    if (!(options.map_tolerance > 0))
-        throw Error("--map-tolerance must be above 0");
+    expect_tolerance(options.model_tolerance, "--model-tolerance");
     if (options.rank_terms < 1 || options.rank_terms > kMaxRankTerms)
         throw Error(fmt::format("--rank-terms must be 1 to {}", kMaxRankTerms));
-    if (options.layout == Layout::bumpslopes && !options.maps.empty())
+    if (options.layout == Layout::bumpslopes && (!options.maps.empty() || options.auto_maps))
         throw Error("--maps goes with --layout scree; bumpslopes is one file of its own");
+    if (options.layout == Layout::bumpslopes && !options.colormap_file.empty())
+        throw Error("--colormap goes with --layout scree; bumpslopes holds no colors");
 }
 
 void BakeMonitor::report(const char* phase, double done) const

@@ -159,6 +159,7 @@ StorageError::Largest StorageError::largest_of(size_t level) const
 double StorageError::yardstick(const Largest& level, const Largest& next) const
 {
     constexpr double kResolved = 1e-6; // of a mean square: the error of float, some 10 times
+    constexpr double kSeen = 0.1;      // of the largest color: a percent of it nobody sees
     switch (map_) {
     case Map::slope:
     case Map::bumpslopes: {
@@ -169,9 +170,9 @@ double StorageError::yardstick(const Largest& level, const Largest& next) const
         return level.color;
     case Map::colorheight:
     case Map::rank:
-        return std::max(color_deviation_, kResolved * largest_color_);
+        return std::max(color_deviation_, kSeen * largest_color_);
     case Map::colorslope:
-        return std::max(color_deviation_, kResolved * largest_color_) * slope_deviation_;
+        return std::max(color_deviation_, kSeen * largest_color_) * slope_deviation_;
     case Map::height:
     case Map::map:
     case Map::tail:

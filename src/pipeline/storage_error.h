@@ -16,9 +16,10 @@ namespace scree {
 ///                      normal maps, has no variance of its own at level 0)
 ///   height             variance of hn, over 1 (the variance of the whole map, by normalisation)
 ///   color              mean color, over the largest of the map
-///   colorheight        covariance with hn, over the map's standard deviation of color
-///   colorslope         covariance with the slope, over the standard deviations of color and slope
-///   rank               a coefficient, over the map's standard deviation of color
+///   colorheight        covariance with hn, over the map's standard deviation of color, or a tenth
+///                      of its largest color where that is more
+///   colorslope         covariance with the slope, over that times the deviation of the slope
+///   rank               a coefficient, over the same as for colorheight
 ///   tail, coverage     the number itself
 /// Where a level's slope varies less than float resolves (1e-6 of its mean square) that is the
 /// yardstick. A number beyond the type's range counts as an error of kLost.

@@ -10,6 +10,7 @@ namespace scree {
 namespace {
 
 constexpr double kSteepest = 2, kFlattest = 1e-4;
+constexpr double kWideMap = 100, kLeastSeen = 1e-3;
 
 /// E[(dh/ds)^2] over Var(h) / dx^2 for white-noise heights.
 double slope_gain(const std::string& reconstruction)
@@ -67,6 +68,31 @@ std::vector<std::string> scale_warnings(const Manifest& manifest, const BakeOpti
                                        manifest.integer_bits, 100 * share));
     }
     return warnings;
+}
+
+std::vector<std::string> color_map_warnings(const Manifest& manifest)
+{
+    if (!manifest.color_map)
+        return {};
+    const ColorMapRecord& map = *manifest.color_map;
+    const double width = map.last - map.first;
+    if (map.by != "height") {
+        const auto rms = manifest.levels.back().rms_slope;
+        if (!rms || *rms <= 0 || width < kWideMap * *rms)
+            return {};
+        return {fmt::format("the color map goes from slope {:g} to {:g}, the rms slope is {:.3g}: "
+                            "hardly more than one color of it shows; give --map-range",
+                            map.first, map.last, *rms)};
+    }
+    const double seen =
+        std::min(map.last, manifest.height_max) - std::max(map.first, manifest.height_min);
+    if (seen >= 0 && seen >= kLeastSeen * width)
+        return {};
+    return {
+        fmt::format("the color map goes from {:g} to {:g}, the heights from {:g} to {:g}: hardly "
+                    "more than one color of it shows; give --map-range, or check "
+                    "--height-scale and --height-offset",
+                    map.first, map.last, manifest.height_min, manifest.height_max)};
 }
 
 } // namespace scree

@@ -19,4 +19,8 @@ std::vector<std::string> rejects_warnings(const Rejects& rejects);
 /// of white noise has E[(dh/ds)^2] = (4/3) Var(h) / dx^2 (derived in docs/statistics.md).
 std::vector<std::string> scale_warnings(const Manifest& manifest, const BakeOptions& options);
 
+/// Whether a color map lies where the surface does: a map that all heights miss, or of which they
+/// see less than a thousandth; by slope, one a hundred times as wide as the rms slope.
+std::vector<std::string> color_map_warnings(const Manifest& manifest);
+
 } // namespace scree

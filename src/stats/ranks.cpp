@@ -109,18 +109,20 @@ void summarise(const RankProfile& profile, int most, std::vector<RankAtom>& summ
     double total = 0;
     for (int i = 0; i < profile.count; ++i)
         total += static_cast<double>(profile.atoms[i].weight);
-    // An atom belongs to the slot its middle falls in; a slot so takes no more than its size and
-    // half an atom, and an atom that fills several has them for itself.
+    // An atom belongs to the slot its middle falls in, one of `most` of equal weight; an atom that
+    // would fill a slot is one of its own.
+    constexpr int kNone = -1;
     summary.clear();
     double below = 0;
-    int open_slot = -1;
+    int open_slot = kNone;
     for (int i = 0; i < profile.count; ++i) {
         const RankAtom& atom = profile.atoms[i];
         const auto weight = static_cast<double>(atom.weight);
         const double middle = (below + 0.5 * weight) / total;
-        const int slot = std::min(most - 1, static_cast<int>(middle * most));
+        const bool heavy = weight * most >= total;
+        const int slot = heavy ? kNone : std::min(most - 1, static_cast<int>(middle * most));
         below += weight;
-        if (slot != open_slot) {
+        if (heavy || slot != open_slot) {
             summary.push_back(atom);
             open_slot = slot;
             continue;

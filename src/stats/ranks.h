@@ -38,10 +38,11 @@ private:
     std::vector<RankAtom> from_, to_;
 };
 
-/// A profile of at most `most` atoms: neighbours by rank merged into atoms of equal weight.
+/// A profile of about `most` atoms, at most twice as many: neighbours by rank merged into atoms of
+/// equal weight.
 ///
-/// An atom heavier than total / most stays as it is, so few-valued heights lose nothing. A rank
-/// moves by at most 1 / most of the footprint.
+/// An atom of weight total / most or more stays as it is, so few-valued heights lose nothing. A
+/// rank moves by at most 1 / most of the footprint.
 ///
 /// profile  more than 0 atoms
 /// summary  gets them

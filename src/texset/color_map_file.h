@@ -14,9 +14,9 @@ struct ColorMapFile {
     /// x is in units of its own (meters, say); otherwise it runs from 0 to 1, or from -1 to 1, and
     /// is to be stretched over the range of what is mapped.
     bool states_range = false;
-    /// Of a map to be stretched whose halves are to be stretched separately: the height that gets
-    /// the color of its x = 0.
-    std::optional<double> hinge;
+    /// Of a map whose halves are to be stretched separately, wherever it is stretched to: its place
+    /// in the map, and the height it belongs to (sea level).
+    std::optional<ColorMap::Hinge> hinge;
     /// What ColorConversion takes as `file_metadata`: a role or color space, empty when unknown.
     std::string color_space;
     std::string kind; ///< "cpt", "lut" or "image"

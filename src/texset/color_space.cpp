@@ -161,7 +161,8 @@ std::string choose_input_space(const ocio::ConstConfigRcPtr& config, const Color
         if (std::string found = find_stated(*config, stated); !found.empty())
             return found;
     }
-    return by_rule;
+    const auto space = config->getColorSpace(by_rule); // a rule may name a role
+    return space ? space->getName() : by_rule;
 }
 
 } // namespace

@@ -88,7 +88,7 @@ ColorMapFile read_cpt(const std::filesystem::path& path)
     if (states_range && lines.above)
         knots.push_back({last, modelled(*lines.above, lines.hsv_model)});
 
-    ColorMapFile file{ColorMap(std::move(knots)), states_range, {}, "color_picking", "cpt"};
+    ColorMapFile file{ColorMap(std::move(knots)), states_range, {}, "sRGB", "cpt"};
     if (lines.hsv_model)
         file.map = refined(file.map, rgb_of_hsv, kHsvTolerance);
     const bool hinged = from_minus_one && (lines.hard_hinge || (lines.soft_hinge && lines.range));
@@ -96,9 +96,10 @@ ColorMapFile read_cpt(const std::filesystem::path& path)
         const auto [low, high] = *lines.range;
         file.map = hinged ? file.map.stretched(low, high, {0, lines.hinge})
                           : file.map.stretched(low, high);
-    } else if (normalised && hinged) {
-        file.hinge = lines.hinge;
     }
+    const double hinge_at = states_range ? lines.hinge : 0;
+    if (lines.hard_hinge && file.map.first() < hinge_at && hinge_at < file.map.last())
+        file.hinge = ColorMap::Hinge{hinge_at, lines.hinge};
     return file;
 }
 

@@ -17,7 +17,7 @@ namespace scree {
 /// separately, z = 0 staying at `# HINGE = v`, or 0. `# RANGE = a/b` does so right away, to a and
 /// b, with `# SOFT_HINGE` too. Any other z is in units of its own. B and F lines color what is
 /// below and above a map that states its range; nothing is, of a stretched one. N lines, for no
-/// data, do not count. Colors are RGB / 255 of a picture: the color_picking role.
+/// data, do not count. Colors are RGB / 255 of a picture: sRGB.
 ///
 /// Throws Error naming the file and the line of what cannot be used: also cyclic tables, CMYK,
 /// patterns, skipped pieces, and more than 65536 lines of colors.

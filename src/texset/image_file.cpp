@@ -45,6 +45,7 @@ ImageFile::ImageFile(std::filesystem::path path, int width, int height,
     OIIO::ImageSpec spec(width, height, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT);
     spec.channelnames = channels;
     spec.attribute("compression", "zip");
+    spec.attribute("DateTime", ""); // else OpenImageIO writes the time: equal images, other bytes
     for (const auto& attribute : attributes)
         std::visit([&spec, &name = attribute.first](const auto& value) { set(spec, name, value); },
                    attribute.second);

@@ -101,6 +101,7 @@ ocio::ConstProcessorRcPtr load(const std::filesystem::path& path)
     try {
         // What was read from a file of that name before may have changed since.
         ocio::ClearAllCaches();
+        ocio::SetLoggingLevel(ocio::LOGGING_LEVEL_NONE); // what is wrong is in the exception
         const auto transform = ocio::FileTransform::Create();
         transform->setSrc(std::filesystem::absolute(path).c_str());
         transform->setInterpolation(ocio::INTERP_LINEAR);

@@ -195,6 +195,7 @@ Json level_to_json(const LevelSummary& level)
 {
     Json json = {{"width", level.width}, {"height", level.height}, {"coverage", level.coverage}};
     put(json, "mean_slope", level.mean_slope);
+    put(json, "steepest", level.steepest);
     put(json, "rms_slope", level.rms_slope);
     put(json, "slope_sigma", level.slope_sigma);
     put(json, "kurtosis", level.kurtosis);
@@ -213,6 +214,7 @@ LevelSummary level_from_json(const Json& json)
     level.height = json.at("height");
     level.coverage = json.at("coverage");
     get(json, "mean_slope", level.mean_slope);
+    get(json, "steepest", level.steepest);
     get(json, "rms_slope", level.rms_slope);
     get(json, "slope_sigma", level.slope_sigma);
     get(json, "kurtosis", level.kurtosis);

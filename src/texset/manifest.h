@@ -77,6 +77,7 @@ struct LevelSummary {
     int width = 0, height = 0;
     double coverage = 1;
     std::optional<std::array<double, 2>> mean_slope; ///< E[s], E[t]
+    std::optional<std::array<double, 2>> steepest;   ///< largest |E[s]|, |E[t]| of a texel
     std::optional<double> rms_slope;                 ///< sqrt(E[ss] + E[tt]), equal on all levels
     std::optional<double> slope_sigma;  ///< sqrt of the mean slope variance within texels
     std::optional<double> kurtosis;     ///< Mardia's, mean over texels whose slope varies
@@ -89,10 +90,10 @@ struct LevelSummary {
 /// A way to show what a map holds, or to do without it, and what that costs
 /// (pipeline/model_errors.h).
 struct ModelRecord {
-    std::string model; ///< "mean color", "colorheight", "rank 2", ..., or "without tail", ...
-    int channels = 0;  ///< that it reads, beside mean color and slope
-    double error = 0;  ///< rms, of the worst level and elevation
-    bool chosen = false;
+    std::string model;   ///< "mean color", "colorheight", "rank 2", ..., or "without tail", ...
+    int channels = 0;    ///< that it reads, beside mean color and slope; < 0: that it saves
+    double error = 0;    ///< rms, of the worst level and elevation
+    bool chosen = false; ///< of "without ...": the map was dropped
 };
 
 /// How `--maps auto` decided.

@@ -68,7 +68,7 @@ StatedColor stated_color(const ColorHeader& header)
         return {profile.empty() ? "unnamed ICC profile" : profile, plain};
     }
     if (header.chromaticities)
-        return {space_of(*header.chromaticities), ""};
+        return {space_of(*header.chromaticities), plain};
     if (header.aces_container)
         return {"ACES2065-1", ""};
     return {plain, plain == "Gamma2.2" ? "sRGB" : ""};

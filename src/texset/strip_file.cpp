@@ -28,11 +28,22 @@ std::array<int, 3> color_channels(const ImageInfo& info)
     return channels;
 }
 
+ImageRows open_strip(const std::filesystem::path& path)
+{
+    try {
+        return ImageRows(path);
+    } catch (const Error& e) {
+        throw Error(fmt::format("{}; a color map is a GMT table (named .cpt), a 1-D LUT that "
+                                "OpenColorIO reads (.spi1d, .csp, .cube, .clf, ...) or an image",
+                                e.what()));
+    }
+}
+
 } // namespace
 
 ColorMapFile read_strip(const std::filesystem::path& path)
 {
-    ImageRows rows(path);
+    ImageRows rows = open_strip(path);
     const ImageInfo& info = rows.info();
     std::vector<int> all(info.channels.size());
     for (size_t c = 0; c < all.size(); ++c)

@@ -38,6 +38,23 @@ expect_usage_error "an azimuth of heights" '--map-by slope' -- "$scree" bake --h
     --colormap gray.spi1d --map-azimuth 30 -o none
 expect_usage_error "a range the wrong way round" '--map-range' -- "$scree" bake --height $height \
     --colormap gray.spi1d --map-range 3 1 -o none
+for words in "--map-range 0 inf" "--map-range -1e308 1e308" "--map-tolerance inf" \
+    "--model-tolerance nan" "--half-tolerance inf"; do
+    expect_usage_error "$words" "${words%% *}" -- "$scree" bake --height $height \
+        --colormap gray.spi1d $words -o none
+done
+expect_usage_error "a range without a map" '--colormap' -- "$scree" bake --height $height \
+    --map-range 0 1 -o none
+expect_usage_error "bumpslopes and auto" 'bumpslopes' -- "$scree" bake --height $height \
+    --layout bumpslopes --maps auto -o none
+expect_usage_error "bumpslopes and a color map" 'bumpslopes' -- "$scree" bake --height $height \
+    --layout bumpslopes --colormap gray.spi1d -o none
+expect_success "a map that the heights miss" -- "$scree" bake --height $height --world-size 4000 \
+    --colormap gray.spi1d --map-range -9000 -8000 -o missed
+expect_warning "a map that the heights miss" 'the color map goes from -9000 to -8000.*--map-range'
+cmp <(sha256sum < mapped/fractal.map.exr) <(sleep 1.1; "$scree" bake --height $height \
+    --colormap terrain.cpt --world-size 4000 --name fractal --quiet -o mapped;
+    sha256sum < mapped/fractal.map.exr) || fail "the same table, a second later, has other bytes"
 expect_usage_error "color and color map" '--colormap' -- "$scree" bake --height $height \
     --color pair/fractal.color.exr --colormap gray.spi1d -o none
 expect_error "a table without a map" '--maps map.*--colormap' -- "$scree" bake \

@@ -33,7 +33,8 @@ TEST(ColorMap, AJumpHasTheColorOfItsRight)
     EXPECT_EQ(map.at(-1e-300), kBlack); // outside, beyond a jump at the end
     EXPECT_EQ(map.at(0), kRed);
     EXPECT_EQ(map.at(1), (Rgb{0.5, 0.5, 0}));
-    EXPECT_EQ(map.at(2), kWhite);
+    EXPECT_EQ(map.at(2), kGreen); // the ends belong to the map
+    EXPECT_EQ(map.at(2.0000001), kWhite);
     EXPECT_LT(largest_difference(map.at(2 - 1e-12), kGreen), 1e-11);
 }
 

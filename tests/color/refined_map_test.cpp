@@ -77,7 +77,8 @@ TEST(RefinedMap, JumpsStayWhereTheyAre)
     const ColorMap linear = refined(encoded, linear_of_srgb_color);
     EXPECT_EQ(linear.at(-1), (Rgb{0, 0, 0}));
     EXPECT_EQ(linear.at(0), linear_of_srgb_color({.5, .5, .5}));
-    EXPECT_EQ(linear.at(1), linear_of_srgb_color({.2, .2, .2}));
+    EXPECT_EQ(linear.at(1), (Rgb{1, 1, 1}));
+    EXPECT_EQ(linear.at(1.001), linear_of_srgb_color({.2, .2, .2}));
 }
 
 TEST(RefinedMap, StraightLinesNeedNoKnots)

@@ -157,6 +157,57 @@ TEST(MappedColor, TexelsWithoutDataTakeNoPart)
     EXPECT_NEAR(set.levels("color")[0].at(1, 1, 0), 0.5, 0.03) << "about the mean color";
 }
 
+/// Bilinear, clamped, as a texture unit reads the table at (mean, deviation).
+double looked_up(const Image& table, const MapTableRecord& record, double mean, double deviation)
+{
+    const filter::ColorMapTable<double> shape{record.low, record.high, record.widest,
+                                              record.columns, record.rows};
+    const auto uv = filter::color_map_coordinates(mean, deviation, shape);
+    const double x = uv.x * table.width - 0.5, y = uv.y * table.height - 0.5;
+    const int i = std::min(static_cast<int>(x), table.width - 2),
+              j = std::min(static_cast<int>(y), table.height - 2);
+    const double fx = x - i, fy = y - j;
+    return (1 - fy) * ((1 - fx) * table.at(i, j, 0) + fx * table.at(i + 1, j, 0)) +
+           fy * ((1 - fx) * table.at(i, j + 1, 0) + fx * table.at(i + 1, j + 1, 0));
+}
+
+TEST(MappedColor, ATableBySlopeShowsTheMeanColorFromAboveHoweverNarrowTheMap)
+{
+    // Gaussian slopes of deviation 0.2 about 0.05; "grass below 0.3, rock above", and a wide ramp.
+    MemorySource source;
+    source.map_width = source.map_height = 128;
+    std::mt19937 random(8);
+    std::normal_distribution<double> slope(0, 0.2);
+    for (int i = 0; i < 128 * 128; ++i)
+        source.slopes.push_back({0.05 + slope(random), slope(random)});
+    for (const auto by : {MapBy::slope, MapBy::slope_magnitude})
+        for (const auto& [low, high] : {std::pair(0.29, 0.31), std::pair(-2.0, 2.0)}) {
+            Set set;
+            BakeOptions options;
+            options.colormap_file = write_lut(set.temp, {0, 1});
+            options.map_by = by;
+            options.map_range = {low, high};
+            bake_set(set, source, options);
+            const Image moments = set.levels("slope").back();
+            filter::SlopeMoments<double> raw;
+            raw.s = static_cast<double>(moments.at(0, 0, 0));
+            raw.ss = static_cast<double>(moments.at(0, 0, 1));
+            raw.st = static_cast<double>(moments.at(0, 0, 2));
+            raw.t = static_cast<double>(moments.at(0, 0, 3));
+            raw.tt = static_cast<double>(moments.at(0, 0, 4));
+            const auto slopes = filter::slopes(raw);
+            const auto along =
+                by == MapBy::slope
+                    ? filter::slope_along<double>({1, 0}, slopes.mean, slopes.covariance)
+                    : filter::slope_magnitude(slopes.mean, slopes.covariance);
+            const double shown = looked_up(set.levels("map")[0], *set.manifest.color_map->table,
+                                           along.mean, along.deviation);
+            // The table's tolerance, and the sample's: 128^2 slopes of a normal law.
+            EXPECT_NEAR(shown, set.levels("color").back().at(0, 0, 0), 0.015)
+                << low << " to " << high << (by == MapBy::slope ? " along" : " length");
+        }
+}
+
 /// What a renderer looks up, against the footprint itself: Gaussian heights, color a step at 0.
 ///
 ///   visible share above 0 = 1 - P^(1 + L),  P the share of heights below 0
@@ -164,9 +215,9 @@ TEST(MappedColor, TheTableShowsAStepOverGaussianHeightsAsItIsSeen)
 {
     Set set;
     BakeOptions options;
-    options.colormap_file = write_lut(set.temp, {0, 0, 1, 1}, "-0.0015 0.0015"); // a step at 0
+    options.colormap_file = write_lut(set.temp, {0, 0, 1, 1}, "-0.15 0.15"); // a step at 0
     options.map_tolerance = 0.005;
-    const MemorySource source = noise(256, 256, 0.2, 1);
+    const MemorySource source = noise(256, 256, 20, 100);
     bake_set(set, source, options);
 
     const MapTableRecord& record = *set.manifest.color_map->table;
@@ -175,8 +226,6 @@ TEST(MappedColor, TheTableShowsAStepOverGaussianHeightsAsItIsSeen)
     ASSERT_EQ(table.height, record.rows);
     ASSERT_EQ(set.levels("map").size(), 1U);
     EXPECT_LE(record.rms_error, 0.005);
-    const filter::ColorMapTable<double> shape{record.low, record.high, record.widest,
-                                              record.columns, record.rows};
     const Image height = set.levels("height").back();
     const double h = static_cast<double>(height.at(0, 0, 0));
     const double sigma = filter::height_sigma(h, static_cast<double>(height.at(0, 0, 1)));
@@ -185,15 +234,8 @@ TEST(MappedColor, TheTableShowsAStepOverGaussianHeightsAsItIsSeen)
         below += v < 0 ? 1.0 / (256 * 256) : 0;
     for (const double L : {0.0, 0.5, 2.0, 10.0, 50.0}) {
         const auto visible = filter::visible_height(L);
-        const auto uv = filter::color_map_coordinates(h + sigma * visible.mean,
-                                                      sigma * std::sqrt(visible.variance), shape);
-        const double x = uv.x * table.width - 0.5, y = uv.y * table.height - 0.5;
-        const int i = std::min(static_cast<int>(x), table.width - 2),
-                  j = std::min(static_cast<int>(y), table.height - 2);
-        const double fx = x - i, fy = y - j;
         const double shown =
-            (1 - fy) * ((1 - fx) * table.at(i, j, 0) + fx * table.at(i + 1, j, 0)) +
-            fy * ((1 - fx) * table.at(i, j + 1, 0) + fx * table.at(i + 1, j + 1, 0));
+            looked_up(table, record, h + sigma * visible.mean, sigma * std::sqrt(visible.variance));
         // The step averaged over a normal law, in closed form: the table's tolerance. Heights are
         // in units of h1 here, the step lies at -h0 / h1.
         const double step = -set.manifest.h0 / set.manifest.h1;

@@ -183,6 +183,22 @@ TEST(RankTable, SummariesCostLittleAbove64By64)
     }
 }
 
+TEST(RankTable, TheStorageErrorIsThatOfItsCoefficients)
+{
+    // Floats, held against the same numbers in the same channels: red, green and blue differ.
+    TempFolder temp;
+    OracleCase c = random_case(64, 64, 12);
+    MemorySource source = c.source();
+    c.options.output = temp / "set";
+    c.options.maps = {Map::rank};
+    Manifest manifest;
+    manifest.name = "test";
+    const TextureRecord rank = bake(source, c.options, manifest).textures.front();
+    EXPECT_LT(*rank.float_error, 1e-6);
+    EXPECT_GT(*rank.half_error, 100 * *rank.float_error);
+    EXPECT_LT(*rank.half_error, 1e-2);
+}
+
 TEST(RankTable, BytesDoNotDependOnTheNumberOfThreads)
 {
     std::string first;

@@ -282,7 +282,7 @@ TEST(Ranks, ASummaryKeepsMassMeanAndHeavyAtomsAndMovesRanksByNoMoreThanASlot)
     const Atoms all = merged(given);
     Atoms summary;
     summarise(profile_of(all), kMost, summary);
-    EXPECT_LE(summary.size(), static_cast<size_t>(kMost));
+    EXPECT_LE(summary.size(), static_cast<size_t>(kMost + 2)); // one heavy atom splits a slot
     auto mass_below = [](const Atoms& atoms, double height) {
         double below = 0, total = 0;
         for (const RankAtom& atom : atoms) {
@@ -310,6 +310,20 @@ TEST(Ranks, ASummaryKeepsMassMeanAndHeavyAtomsAndMovesRanksByNoMoreThanASlot)
                     1.0 / kMost + 1e-6);
     EXPECT_TRUE(std::is_sorted(summary.begin(), summary.end(),
                                [](const auto& a, const auto& b) { return a.height <= b.height; }));
+}
+
+TEST(Ranks, ASummaryLeavesAtomsAloneThatAreAsHeavyAsASlot)
+{
+    // 69 atoms, of which one has 1.2 of the 8 slots: it lies in two and shares neither.
+    Atoms atoms;
+    for (int i = 0; i < 69; ++i)
+        atoms.push_back({static_cast<double>(i), i == 2 ? 12.0F : 1.0F, {0.5F, 0.5F, 0.5F}});
+    Atoms summary;
+    summarise(profile_of(atoms), 8, summary);
+    EXPECT_LE(summary.size(), 16U);
+    EXPECT_EQ(std::count_if(summary.begin(), summary.end(),
+                            [](const RankAtom& a) { return a.height == 2 && a.weight == 12; }),
+              1);
 }
 
 } // namespace

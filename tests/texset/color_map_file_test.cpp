@@ -157,7 +157,7 @@ TEST(ColorMapFile, RealTablesAreWhatTheirFilesSay)
     for (const char* name : {"oleron.cpt", "cmocean/topo.cpt"}) {
         const ColorMapFile hinged = read_color_map(folder / name);
         EXPECT_FALSE(hinged.states_range) << name;
-        EXPECT_EQ(hinged.hinge, 0.0) << name;
+        EXPECT_EQ(hinged.hinge->to, 0.0) << name;
         EXPECT_EQ(hinged.map.first(), -1) << name;
     }
     expect_color(read_color_map(folder / "cmocean/topo.cpt").map.at(0), bytes(13, 37, 20));

@@ -25,7 +25,7 @@ TEST(CptFile, PiecesAreStraightAndOfTheirOwnUnits)
                                   "-100 0/0/0   50 100/200/50\n"
                                   "50 100/200/50 300 255/255/255\r\n");
     EXPECT_EQ(file.kind, "cpt");
-    EXPECT_EQ(file.color_space, "color_picking");
+    EXPECT_EQ(file.color_space, "sRGB");
     EXPECT_TRUE(file.states_range);
     EXPECT_FALSE(file.hinge);
     EXPECT_EQ(file.map.knots().size(), 3U);
@@ -89,9 +89,14 @@ TEST(CptFile, AHardHingeIsKeptForTheStretching)
     const std::string halves = "-1 black 0 red\n0 blue 1 white\n";
     EXPECT_FALSE(cpt(halves).hinge);
     EXPECT_FALSE(cpt("# SOFT_HINGE\n" + halves).hinge);
-    EXPECT_EQ(cpt("# HARD_HINGE\n" + halves).hinge, 0.0);
-    EXPECT_EQ(cpt("# HINGE = 12.5\n" + halves).hinge, 12.5);
+    EXPECT_EQ(cpt("# HARD_HINGE\n" + halves).hinge->to, 0.0);
+    EXPECT_EQ(cpt("# HINGE = 12.5\n" + halves).hinge->to, 12.5);
+    EXPECT_EQ(cpt("# HINGE = 12.5\n" + halves).hinge->at, 0.0);
     EXPECT_FALSE(cpt("# HARD_HINGE\n0 black 1 white\n").hinge); // no halves
+    const auto in_meters = cpt("# HARD_HINGE\n-9 black 0 red\n0 blue 5 white\n").hinge;
+    EXPECT_EQ(in_meters->at, 0.0);
+    EXPECT_EQ(in_meters->to, 0.0);
+    EXPECT_FALSE(cpt("# HARD_HINGE\n2 black 3 red\n3 blue 5 white\n").hinge); // all above it
 }
 
 TEST(CptFile, ARangeStretchesRightAway)
@@ -107,7 +112,14 @@ TEST(CptFile, ARangeStretchesRightAway)
                                                            "-1 0/0/0 0 0/0/200\n"
                                                            "0 0/100/0 1 0/200/0\n");
         EXPECT_TRUE(file.states_range);
-        EXPECT_FALSE(file.hinge);
+        // Stretched again, a hard one stays where it is.
+        EXPECT_EQ(file.hinge.has_value(), std::string(hinge) != "# SOFT_HINGE\n");
+        if (file.hinge) {
+            const ColorMap narrow = file.map.stretched(-100, 900, *file.hinge);
+            expect_color(narrow.at(-50), bytes(0, 0, 100));
+            expect_color(narrow.at(0), bytes(0, 100, 0));
+            expect_color(narrow.at(450), bytes(0, 150, 0));
+        }
         expect_color(file.map.at(-8000), {});
         expect_color(file.map.at(-4000), bytes(0, 0, 100));
         expect_color(file.map.at(0), bytes(0, 100, 0));
@@ -122,6 +134,7 @@ TEST(CptFile, BelowAndAboveAreForMapsThatStateTheirRange)
     expect_color(map.at(-1e-9), bytes(1, 2, 3));
     expect_color(map.at(0), {});
     expect_color(map.at(10 - 1e-12), {1, 1, 1});
+    expect_color(map.at(10), {1, 1, 1}); // the end belongs to the map
     expect_color(map.at(10.1), bytes(255, 0, 255));
     const ColorMap stretched = cpt("0 black 1 white\n" + outside).map;
     expect_color(stretched.at(-1), {});

@@ -53,6 +53,7 @@ Manifest full_manifest()
     level.height = 98;
     level.coverage = 0.75;
     level.mean_slope = {0.25, -0.5};
+    level.steepest = {3, 4};
     level.rms_slope = 0.1;
     level.slope_sigma = 0.2;
     level.kurtosis = 9.5;
@@ -61,7 +62,7 @@ Manifest full_manifest()
     level.color_fit = {0.01, {{0.1, -0.2, 0.3}}, {{0.4, 0.5, 0.6}}, 0.21, 0.22, 0.23, 0.24, 0.25,
                        0.26};
     level.mean_color = {0.5, 0.6, 0.7};
-    m.levels = {level, LevelSummary{49, 49, 1, {}, {}, {}, {}, {}, {}, {}, {}}};
+    m.levels = {level, LevelSummary{49, 49, 1, {}, {}, {}, {}, {}, {}, {}, {}, {}}};
     m.options = {{"wrap", "clamp mirror"}, {"texel-size", "0.1 0.333"}};
     m.warnings = {"first", "second"};
     return m;
@@ -73,6 +74,7 @@ void expect_equal(const LevelSummary& a, const LevelSummary& b)
     EXPECT_EQ(a.height, b.height);
     EXPECT_EQ(a.coverage, b.coverage);
     EXPECT_EQ(a.mean_slope, b.mean_slope);
+    EXPECT_EQ(a.steepest, b.steepest);
     EXPECT_EQ(a.rms_slope, b.rms_slope);
     EXPECT_EQ(a.slope_sigma, b.slope_sigma);
     EXPECT_EQ(a.kurtosis, b.kurtosis);

@@ -37,13 +37,13 @@ TEST(StatedColor, KnownPrimariesNameTheirSpaceWithinAThousandth)
         for (const double off : {0.0, 0.0009, -0.0009}) {
             header.chromaticities = in_float(primaries, off);
             EXPECT_EQ(stated_color(header).space, name) << off;
-            EXPECT_EQ(stated_color(header).fallback, "");
+            EXPECT_EQ(stated_color(header).fallback, "Linear"); // light, of some primaries
         }
         for (size_t i = 0; i < 8; ++i) { // each coordinate counts, those of white too
             header.chromaticities = in_float(primaries);
             (*header.chromaticities)[i] += 0.002F;
             EXPECT_EQ(stated_color(header).space.rfind("primaries (", 0), 0U) << name << " " << i;
-            EXPECT_EQ(stated_color(header).fallback, "");
+            EXPECT_EQ(stated_color(header).fallback, "Linear"); // light, of some primaries
         }
     }
     ColorHeader nonsense;
@@ -187,7 +187,7 @@ TEST(StatedColor, IsReadFromFilesOfManyKinds)
     for (const auto& [name, primaries] : kSpaces) {
         const auto xy = primaries;
         cases.push_back({"a.exr", "half",
-                         [xy](OIIO::ImageSpec& spec) { set_chromaticities(spec, xy); }, name, ""});
+                         [xy](OIIO::ImageSpec& spec) { set_chromaticities(spec, xy); }, name, "Linear"});
     }
     cases.push_back({"a.exr", "half",
                      [](OIIO::ImageSpec& spec) { spec.attribute("acesImageContainerFlag", 1); },
