@@ -187,7 +187,8 @@ TEST(StatedColor, IsReadFromFilesOfManyKinds)
     for (const auto& [name, primaries] : kSpaces) {
         const auto xy = primaries;
         cases.push_back({"a.exr", "half",
-                         [xy](OIIO::ImageSpec& spec) { set_chromaticities(spec, xy); }, name, "Linear"});
+                         [xy](OIIO::ImageSpec& spec) { set_chromaticities(spec, xy); }, name,
+                         "Linear"});
     }
     cases.push_back({"a.exr", "half",
                      [](OIIO::ImageSpec& spec) { spec.attribute("acesImageContainerFlag", 1); },
