@@ -82,7 +82,8 @@ void drop_maps(const BakeOptions& options, std::vector<Map>& maps, Manifest& man
     manifest.textures = std::move(kept);
 }
 
-/// Writes all textures but the table of a color map; returns the summaries of their levels.
+/// Writes all textures but the table of a color map; returns the summaries of their levels, those
+/// of the measuring pass where there are any: they know of more maps.
 std::vector<LevelSummary> write_textures(const Surface& surface, const std::vector<Map>& maps,
                                          const Manifest& manifest,
                                          const std::filesystem::path& folder)
@@ -92,7 +93,10 @@ std::vector<LevelSummary> write_textures(const Surface& surface, const std::vect
     const MomentLayout layout = moments_for(maps, rank_terms, surface.source, surface.options);
     LevelReport report(layout, surface.width(), surface.height(), surface.found.h1);
     std::vector<TextureOutput> outputs;
-    std::vector<TexelVisitor*> visitors = report.visitors();
+    const bool is_reported = !manifest.levels.empty();
+    std::vector<TexelVisitor*> visitors;
+    if (!is_reported)
+        visitors = report.visitors();
     for (const TextureRecord& texture : manifest.textures) {
         if (texture.map == Map::map)
             continue;
@@ -112,7 +116,7 @@ std::vector<LevelSummary> write_textures(const Surface& surface, const std::vect
     MomentPyramid pyramid(layout, surface.width(), surface.height(), visitors);
     write_pass(strips, pyramid, texels_of(surface, layout), outputs, surface.height(),
                surface.monitor);
-    return report.summaries();
+    return is_reported ? manifest.levels : report.summaries();
 }
 
 /// Limits all threads, Scree's and those of the image libraries, while it exists.
@@ -172,9 +176,7 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
         measure(surface, maps, table ? &table->table : nullptr, manifest);
     if (options.auto_maps)
         drop_maps(options, maps, manifest);
-    std::vector<LevelSummary> written = write_textures(surface, maps, manifest, folder.path());
-    if (manifest.levels.empty())
-        manifest.levels = std::move(written);
+    manifest.levels = write_textures(surface, maps, manifest, folder.path());
     if (has_table(manifest) && !by_height)
         table =
             color_table_by_slope(*surface.mapped, manifest.levels.front(), options.map_tolerance);

@@ -317,10 +317,12 @@ TEST(Bake, LevelSummariesAreThoseOfTheOracle)
     ASSERT_EQ(baked.manifest.levels.size(), truth.levels.size());
     for (size_t l = 0; l < truth.levels.size(); ++l) {
         const LevelSummary& ours = baked.manifest.levels[l];
+        double steepest = 0;
         double weight = 0, s = 0, inside = 0, square = 0, height = 0, cov = 0, var = 0, hvar = 0;
         for (const auto& t : truth.levels[l].texels) {
             weight += t.coverage;
             s += t.coverage * t.mean_slope[0];
+            steepest = std::max(steepest, t.coverage > 0 ? std::abs(t.mean_slope[1]) : 0);
             inside += t.coverage * (t.cov_slope[0] + t.cov_slope[1]);
             square += t.coverage *
                       (t.mean_slope[0] * t.mean_slope[0] + t.mean_slope[1] * t.mean_slope[1]);
@@ -330,6 +332,7 @@ TEST(Bake, LevelSummariesAreThoseOfTheOracle)
             hvar += t.coverage * t.var_hn;
         }
         EXPECT_NEAR((*ours.mean_slope)[0], s / weight, 1e-12);
+        EXPECT_NEAR((*ours.steepest)[1], steepest, 1e-12);
         EXPECT_NEAR(*ours.slope_sigma, std::sqrt(inside / weight), 1e-12);
         EXPECT_NEAR(*ours.rms_slope, std::sqrt((inside + square) / weight), 1e-12);
         EXPECT_NEAR(*ours.height_sigma, std::sqrt(height / weight) * truth.h1, 1e-10);

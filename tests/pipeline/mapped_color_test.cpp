@@ -13,6 +13,7 @@
 #include "pipeline/bake.h"
 #include "support/files.h"
 #include "support/memory_source.h"
+#include "support/set_slopes.h"
 
 namespace scree::test {
 namespace {
@@ -188,14 +189,7 @@ TEST(MappedColor, ATableBySlopeShowsTheMeanColorFromAboveHoweverNarrowTheMap)
             options.map_by = by;
             options.map_range = {low, high};
             bake_set(set, source, options);
-            const Image moments = set.levels("slope").back();
-            filter::SlopeMoments<double> raw;
-            raw.s = static_cast<double>(moments.at(0, 0, 0));
-            raw.ss = static_cast<double>(moments.at(0, 0, 1));
-            raw.st = static_cast<double>(moments.at(0, 0, 2));
-            raw.t = static_cast<double>(moments.at(0, 0, 3));
-            raw.tt = static_cast<double>(moments.at(0, 0, 4));
-            const auto slopes = filter::slopes(raw);
+            const auto slopes = slopes_at(set.levels("slope").back(), 0, 0);
             const auto along =
                 by == MapBy::slope
                     ? filter::slope_along<double>({1, 0}, slopes.mean, slopes.covariance)

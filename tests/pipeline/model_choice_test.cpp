@@ -13,6 +13,7 @@
 #include "pipeline/bake.h"
 #include "support/files.h"
 #include "support/memory_source.h"
+#include "support/set_slopes.h"
 
 namespace scree::test {
 namespace {
@@ -164,13 +165,7 @@ TEST(ModelChoice, ErrorsAreWhatTheModelsDoNotShowOfACheckerboard)
     bake(source, all, manifest);
     const Image slope = read_levels(temp / "all" / "test.slope.exr").back();
     const Image tail = read_levels(temp / "all" / "test.tail.exr").back();
-    filter::SlopeMoments<double> raw;
-    raw.s = static_cast<double>(slope.at(0, 0, 0));
-    raw.ss = static_cast<double>(slope.at(0, 0, 1));
-    raw.st = static_cast<double>(slope.at(0, 0, 2));
-    raw.t = static_cast<double>(slope.at(0, 0, 3));
-    raw.tt = static_cast<double>(slope.at(0, 0, 4));
-    const auto slopes = filter::slopes(raw, static_cast<double>(tail.at(0, 0, 0)));
+    const auto slopes = slopes_at(slope, 0, 0, static_cast<double>(tail.at(0, 0, 0)));
     double without = 0, by_table = 0; // of the worst elevation
     for (const double degrees : {20, 40, 60, 80}) {
         const double angle = degrees * 3.14159265358979 / 180;
