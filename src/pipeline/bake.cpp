@@ -167,8 +167,8 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
         choose_maps(source, options, surface.has_color(), surface.found.complete);
     manifest.textures = textures_for(maps, options.rank_terms, options, manifest.name);
     const bool by_height = options.map_by == MapBy::height;
-    std::optional<ColorTable>
-        table; // by height first, to be measured; by slope when slopes are known
+    // By height it is one of the models to be measured; by slope it is made of the slopes found.
+    std::optional<ColorTable> table;
     if (has_table(manifest) && by_height)
         table = color_table_by_height(*surface.mapped, surface.found, options.map_tolerance);
 

@@ -7,7 +7,6 @@ namespace scree {
 
 namespace {
 
-constexpr const char* kRank = "rank ";
 constexpr const char* kWithout = "without ";
 
 bool has(const std::vector<Map>& maps, Map map)
@@ -47,7 +46,7 @@ ModelChoice choose_models(const ModelErrors& errors, const std::vector<Map>& map
     }
     auto judge = [&](Map map, int channels, double error) {
         if (has(maps, map))
-            choice.models.push_back({kWithout + map_info(map).name, -channels, error,
+            choice.models.push_back({kWithout + map_info(map).name, -channels, error, 0,
                                      error <= options.model_tolerance});
     };
     if (!mapped_by_slope(options))
@@ -59,8 +58,8 @@ ModelChoice choose_models(const ModelErrors& errors, const std::vector<Map>& map
 int rank_terms_of(const ModelChoice& choice)
 {
     for (const ModelRecord& model : choice.models)
-        if (model.chosen && model.model.rfind(kRank, 0) == 0)
-            return std::stoi(model.model.substr(std::string(kRank).size()));
+        if (model.chosen && model.rank_terms > 0)
+            return model.rank_terms;
     return 0;
 }
 

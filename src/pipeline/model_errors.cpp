@@ -15,8 +15,6 @@ constexpr double kRadian = 0.017453292519943295769;
 constexpr double kAtomsALevel = 1 << 18;
 constexpr double kLeastTexels = 64;
 
-using Rgb3 = std::array<double, 3>;
-
 /// A number in [0, 1) that has nothing to do with its neighbours'. After Steele, Lea, Flood 2014
 /// (SplitMix).
 double hash(int level, int x, int y)
@@ -138,10 +136,10 @@ void ModelErrors::add_slopes(MomentRow texel, Sums& sums) const
         }
 }
 
-Rgb3 ModelErrors::shown(const Model& model, MomentRow texel, double lambda) const
+Rgb ModelErrors::shown(const Model& model, MomentRow texel, double lambda) const
 {
     auto value = [&texel](int plane) { return texel.plane(plane)[0]; };
-    Rgb3 color{};
+    Rgb color{};
     const double mean = value(layout_.height);
     const double variance = value(layout_.height_var);
     const auto visible = filter::visible_height(lambda);
@@ -178,9 +176,9 @@ void ModelErrors::add_profile(MomentRow texel, const RankProfile& profile, Sums&
         for (const View& view : views_[e]) {
             const double lambda =
                 filter::masking(filter::Vec3<double>(view.x, view.y, view.z), slopes).lambda;
-            const Rgb3 truth = visible_color(profile, lambda);
+            const Rgb truth = visible_color(profile, lambda);
             for (size_t m = 0; m < models_.size(); ++m) {
-                const Rgb3 color = shown(models_[m], texel, lambda);
+                const Rgb color = shown(models_[m], texel, lambda);
                 for (size_t c = 0; c < 3; ++c)
                     sums.models[m][e] += weight / (3 * kAzimuths) * square(color[c] - truth[c]);
             }
@@ -209,7 +207,7 @@ double ModelErrors::worst(double Sums::*weight, Of squares) const
 namespace {
 
 /// Relative to the rms of a color; of a black map nothing shows.
-double relative(double error, const Rgb3& color)
+double relative(double error, const Rgb& color)
 {
     const double size = std::sqrt((square(color[0]) + square(color[1]) + square(color[2])) / 3);
     return size > 0 ? error / size : 0;
@@ -222,8 +220,8 @@ std::vector<ModelRecord> ModelErrors::color_models() const
     std::vector<ModelRecord> records;
     for (size_t m = 0; m < models_.size(); ++m) {
         const double error = worst(&Sums::judged, [m](const Sums& sums) { return sums.models[m]; });
-        records.push_back(
-            {models_[m].name, models_[m].channels, relative(error, mean_color_), false});
+        records.push_back({models_[m].name, models_[m].channels, relative(error, mean_color_),
+                           models_[m].rank_terms, false});
     }
     return records;
 }

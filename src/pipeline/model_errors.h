@@ -64,8 +64,7 @@ private:
         double x, y, z;
     };
     [[nodiscard]] bool is_picked(int level, int x, int y) const;
-    [[nodiscard]] std::array<double, 3> shown(const Model& model, MomentRow texel,
-                                              double lambda) const;
+    [[nodiscard]] Rgb shown(const Model& model, MomentRow texel, double lambda) const;
     void add_profile(MomentRow texel, const RankProfile& profile, Sums& sums) const;
     void add_slopes(MomentRow texel, Sums& sums) const;
     /// Rms over texels of the worst level and elevation.
@@ -79,7 +78,7 @@ private:
     std::array<std::array<View, kAzimuths>, kElevations> views_;
     std::vector<double> picked_;            ///< share of the texels of a level
     std::vector<std::vector<Sums>> blocks_; ///< [level][block]
-    std::array<double, 3> mean_color_{};    ///< of the whole map: of the last level's one texel
+    Rgb mean_color_{};                      ///< of the whole map: of the last level's one texel
 };
 
 } // namespace scree

@@ -93,6 +93,7 @@ struct ModelRecord {
     std::string model;   ///< "mean color", "colorheight", "rank 2", ..., or "without tail", ...
     int channels = 0;    ///< that it reads, beside mean color and slope; < 0: that it saves
     double error = 0;    ///< rms, of the worst level and elevation
+    int rank_terms = 0;  ///< of a rank table, else 0
     bool chosen = false; ///< of "without ...": the map was dropped
 };
 

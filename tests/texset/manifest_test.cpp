@@ -47,7 +47,8 @@ Manifest full_manifest()
         {Map::rank, "a.rank.exr", rank_channels(2), PixelType::float32, {}, {}}};
     m.color_map = {"slope", 30, -0.5, 0.75,
                    MapTableRecord{65, 17, -1, 1.25, 1.5, 0.01, 0.003, 0.02, 0.001, 0.004}};
-    m.model_choice = {80, 0.02, {{"rank 2", 6, 0.01, true}, {"without tail", -1, 0.3, false}}};
+    m.model_choice = {
+        80, 0.02, {{"rank 2", 6, 0.01, 2, true}, {"without tail", -1, 0.3, 0, false}}};
     LevelSummary level;
     level.width = 99;
     level.height = 98;
@@ -159,6 +160,7 @@ TEST(ManifestFile, EveryFieldComesBackToTheLastBit)
             EXPECT_EQ(r.model_choice->models[i].model, m.model_choice->models[i].model);
             EXPECT_EQ(r.model_choice->models[i].channels, m.model_choice->models[i].channels);
             EXPECT_EQ(r.model_choice->models[i].error, m.model_choice->models[i].error);
+            EXPECT_EQ(r.model_choice->models[i].rank_terms, m.model_choice->models[i].rank_terms);
             EXPECT_EQ(r.model_choice->models[i].chosen, m.model_choice->models[i].chosen);
         }
         EXPECT_EQ(r.width, m.width);
