@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+
+#include "kernel/filter.h"
+#include "math/vec.h"
+
+namespace scree {
+
+/// All that a set knows of one texel of one level, as a renderer reads it; what was not baked is 0.
+struct SetTexel {
+    std::array<float, 3> color{};
+    filter::SlopeMoments<float> slope;
+    float tau = 0;
+    float h = 0, hh = 0; ///< E[hn], E[hn hn]
+    std::array<float, 3> color_height{};
+    std::array<float, 3> color_s{}, color_t{};
+    std::array<std::array<float, 3>, 8> rank{}; ///< a_1 .. a_8
+    float coverage = 1;
+};
+
+} // namespace scree

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace scree {
+
+/// A picture to look at: scene-linear, Rec. 709 primaries, height x width x 3.
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<float> rgb;
+};
+
+/// Eight-bit sRGB PNG; values are clamped to [0, 1], NaN shows as magenta.
+std::vector<uint8_t> png_bytes(const Picture& picture);
+
+/// Writes the picture by the ending of its name: 8-bit sRGB for png, jpg and the like, scene-linear
+/// for exr and hdr. The file appears whole or not at all. Throws Error, naming the file.
+void write_picture(const Picture& picture, const std::filesystem::path& file);
+
+} // namespace scree
