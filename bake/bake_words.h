@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/inputs.h"
 #include "pipeline/options.h"
 #include "texset/manifest.h"
 
@@ -41,11 +42,6 @@ void interpret(CLI::App& command, BakeWords& words);
 ///
 /// Throws UsageError as interpret() does.
 BakeOptions options_of_recipe(const std::filesystem::path& recipe);
-
-/// Input files of a bake; empty: none.
-struct InputFiles {
-    std::filesystem::path height, color, colormap;
-};
 
 /// The options a set was baked with, from its manifest; the files are given, since a manifest names
 /// no folders.

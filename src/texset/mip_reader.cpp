@@ -31,9 +31,6 @@ MipReader::MipReader(const std::filesystem::path& file) : input_(std::make_uniqu
             fmt::format("{}: cannot be read as an image: {}", file.string(), OIIO::geterror()));
     for (int level = 0; input_->file->seek_subimage(0, level); ++level)
         input_->levels.push_back(input_->file->spec());
-    if (input_->levels.empty() || input_->spec(0).tile_width <= 0)
-        throw Error(fmt::format("{}: is not tiled, so not a texture of a set; bake the set again",
-                                file.string()));
 }
 
 MipReader::~MipReader() = default;
@@ -48,17 +45,22 @@ const std::vector<std::string>& MipReader::channels() const { return input_->spe
 std::vector<float> MipReader::rows(int level, int first, int count)
 {
     const OIIO::ImageSpec& spec = input_->spec(level);
-    // OpenImageIO reads whole tiles.
-    const int begin = first - first % spec.tile_height;
-    const int end = std::min(
-        (first + count + spec.tile_height - 1) / spec.tile_height * spec.tile_height, spec.height);
     const auto stride = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.nchannels);
+    // OpenImageIO reads whole tiles.
+    const int step = std::max(spec.tile_height, 1);
+    const int begin = first - first % step;
+    const int end = std::min((first + count + step - 1) / step * step, spec.height);
     std::vector<float> pixels(stride * static_cast<size_t>(end - begin));
-    if (!input_->file->read_tiles(0, level, 0, spec.width, begin, end, 0, 1, 0, spec.nchannels,
-                                  OIIO::TypeDesc::FLOAT, pixels.data()))
+    OIIO::ImageInput& file = *input_->file;
+    const bool is_read = spec.tile_height > 0
+                             ? file.read_tiles(0, level, 0, spec.width, begin, end, 0, 1, 0,
+                                               spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data())
+                             : file.read_scanlines(0, level, begin, end, 0, 0, spec.nchannels,
+                                                   OIIO::TypeDesc::FLOAT, pixels.data());
+    if (!is_read)
         throw Error(fmt::format("{}: level {} cannot be read: {}; the file is damaged, bake the "
                                 "set again",
-                                input_->path.string(), level, input_->file->geterror()));
+                                input_->path.string(), level, file.geterror()));
     pixels.erase(pixels.begin(),
                  pixels.begin() + static_cast<std::ptrdiff_t>(stride) * (first - begin));
     pixels.resize(stride * static_cast<size_t>(count));

@@ -7,7 +7,7 @@
 
 namespace scree {
 
-/// Reads a texture of a set, level by level.
+/// Reads a texture of a set, level by level; the table of a color map has one.
 class MipReader {
 public:
     /// Throws Error when the file is missing, is no OpenEXR image, or is damaged.

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
+#include <vector>
 
 #include "math/error.h"
 #include "pipeline/bake.h"
@@ -69,12 +71,24 @@ TEST(MipReader, GivesTheRowsOfEveryLevelAsTheFileHoldsThem)
     }
 }
 
-TEST(MipReader, NamesTheFileThatIsMissingNoImageNotTiledOrCut)
+TEST(MipReader, ReadsAPlainImageAsOneLevel)
+{
+    const TempFolder temp;
+    const Image image = random_image(9, 6, {"R", "G", "B"}, 1);
+    write_image(temp / "table.exr", image);
+    MipReader reader(temp / "table.exr");
+    EXPECT_EQ(reader.levels(), 1);
+    EXPECT_EQ(reader.rows(0, 0, 6), image.pixels);
+    EXPECT_EQ(reader.rows(0, 4, 1),
+              std::vector<float>(image.pixels.begin() + 4 * 27, image.pixels.begin() + 5 * 27));
+}
+
+TEST(MipReader, NamesTheFileThatIsMissingNoImageOrCut)
 {
     const TempFolder temp;
     EXPECT_NE(error_of(temp / "no.exr").find("no.exr"), std::string::npos);
-    write_image(temp / "lines.exr", random_image(8, 8, {"Y"}, 1));
-    EXPECT_NE(error_of(temp / "lines.exr").find("lines.exr: is not tiled"), std::string::npos);
+    std::ofstream(temp / "words.exr") << "no image";
+    EXPECT_NE(error_of(temp / "words.exr").find("words.exr"), std::string::npos);
     const auto file = baked_slopes(temp, PixelTypeChoice::float32);
     std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
     EXPECT_NE(error_of(file).find("test.slope.exr"), std::string::npos);

@@ -1,0 +1,93 @@
+#include "judge/original.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/error.h"
+#include "pipeline/file_source.h"
+#include "pipeline/mapped_color.h"
+#include "pipeline/surface.h"
+
+namespace scree {
+
+namespace {
+
+reference::Beyond beyond(Wrap wrap)
+{
+    switch (wrap) {
+    case Wrap::periodic:
+        return reference::Beyond::repeats;
+    case Wrap::mirror:
+        return reference::Beyond::mirrors;
+    case Wrap::clamp:
+        return reference::Beyond::extends;
+    case Wrap::black:
+        break;
+    }
+    return reference::Beyond::ends;
+}
+
+void append(const SurfaceRows& rows, Original& original)
+{
+    reference::Relief& relief = original.relief;
+    relief.heights.insert(relief.heights.end(), rows.height.begin(), rows.height.end());
+    for (size_t i = 0; i < rows.slope_s.size(); ++i)
+        original.slopes.push_back({rows.slope_s[i], rows.slope_t[i]});
+    for (size_t i = 0; i + 2 < rows.color.size(); i += 3)
+        relief.colors.push_back({static_cast<double>(rows.color[i]),
+                                 static_cast<double>(rows.color[i + 1]),
+                                 static_cast<double>(rows.color[i + 2])});
+    relief.weights.insert(relief.weights.end(), rows.weight.begin(), rows.weight.end());
+}
+
+/// Colors of a color map, which the source does not have.
+void color_by_height(const MappedColor& mapped, reference::Relief& relief)
+{
+    relief.colors.reserve(relief.heights.size());
+    for (const double height : relief.heights)
+        relief.colors.push_back(mapped.at(height, 0, 0));
+}
+
+Original read(Source& source, const BakeOptions& options, const BakeMonitor& monitor,
+              const ColorMapInput* color_map)
+{
+    const Surface surface(source, options, monitor, color_map);
+    Original original;
+    reference::Relief& relief = original.relief;
+    relief.width = surface.width();
+    relief.height = surface.height();
+    relief.texel_width = surface.texel[0];
+    relief.texel_height = surface.texel[1];
+    relief.beyond_s = beyond(options.wrap_s);
+    relief.beyond_t = beyond(options.wrap_t);
+    original.has_color = surface.has_color();
+
+    source.rewind(true);
+    SurfaceRows rows;
+    for (int y = 0; y < relief.height; y += kStripRows) {
+        source.read(std::min(kStripRows, relief.height - y), rows);
+        append(rows, original);
+        monitor.report("read", static_cast<double>(y) / relief.height);
+    }
+    if (surface.mapped)
+        color_by_height(*surface.mapped, relief);
+    return original;
+}
+
+} // namespace
+
+Original read_original(const BakeOptions& options, const BakeMonitor& monitor)
+{
+    FileSource source(options);
+    if (options.colormap_file.empty())
+        return read(source, options, monitor, nullptr);
+    const ColorMapInput color_map = read_color_map_input(options);
+    return read(source, options, monitor, &color_map);
+}
+
+Original read_original(Source& source, const BakeOptions& options, const BakeMonitor& monitor)
+{
+    return read(source, options, monitor, nullptr);
+}
+
+} // namespace scree

@@ -1,0 +1,153 @@
+#include "judge/set_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/error.h"
+#include "texset/mip_reader.h"
+
+namespace scree {
+
+namespace {
+
+constexpr double kRadPerDegree = 3.14159265358979323846 / 180;
+
+/// Where channel `i` of a map belongs in a texel; null: nowhere.
+///
+/// terms  of a rank table
+float* place(SetTexel& texel, Map map, size_t i, size_t terms)
+{
+    // Of three colors that sort B G R, as maps of several numbers a color do.
+    const size_t per_color = map == Map::rank ? terms : 2;
+    const size_t blue_first = 2 - std::min<size_t>(i / per_color, 2);
+    switch (map) {
+    case Map::slope: {
+        auto& [s, ss, st, t, tt] = texel.slope;
+        const std::array<float*, 5> all{&s, &ss, &st, &t, &tt};
+        return all[i];
+    }
+    case Map::height:
+        return i == 0 ? &texel.h : &texel.hh;
+    case Map::color:
+        return &texel.color[i];
+    case Map::colorheight:
+        return &texel.color_height[i];
+    case Map::colorslope:
+        return i % 2 == 0 ? &texel.color_s[blue_first] : &texel.color_t[blue_first];
+    case Map::rank:
+        return &texel.rank[i % terms][blue_first];
+    case Map::tail:
+        return &texel.tau;
+    case Map::coverage:
+        return &texel.coverage;
+    case Map::bumpslopes: {
+        auto& [s, ss, st, t, tt] = texel.slope;
+        const std::array<float*, 6> all{nullptr, &s, &t, &ss, &tt, &st}; // a world height first
+        return all[i];
+    }
+    case Map::map:
+        break;
+    }
+    return nullptr;
+}
+
+MapTable read_table(const MapTableRecord& record, MipReader& file)
+{
+    MapTable table;
+    table.columns = file.width(0);
+    table.rows = file.height(0);
+    table.low = record.low;
+    table.high = record.high;
+    table.widest = record.widest;
+    const std::vector<float> pixels = file.rows(0, 0, table.rows);
+    for (size_t i = 0; i + 2 < pixels.size(); i += 3)
+        table.colors.push_back({static_cast<double>(pixels[i]), static_cast<double>(pixels[i + 1]),
+                                static_cast<double>(pixels[i + 2])});
+    return table;
+}
+
+} // namespace
+
+struct SetReader::Texture {
+    Map map;
+    MipReader file;
+    /// The rows last read: decoding goes by tiles.
+    int level = -1, first = 0, count = 0;
+    std::vector<float> rows;
+
+    const float* row(int of_level, int y)
+    {
+        if (of_level != level || y < first || y >= first + count) {
+            level = of_level;
+            first = y - y % kTileSize;
+            count = std::min(kTileSize, file.height(level) - first);
+            rows = file.rows(level, first, count);
+        }
+        return rows.data() + static_cast<size_t>(y - first) *
+                                 static_cast<size_t>(file.width(level)) * file.channels().size();
+    }
+};
+
+SetReader::SetReader(const std::filesystem::path& set)
+    : folder_(std::filesystem::is_directory(set) ? set : set.parent_path()),
+      manifest_(read_manifest(set))
+{
+    colors_.models = {ColorModel::mean};
+    for (const TextureRecord& record : manifest_.textures) {
+        MipReader file(folder_ / record.file);
+        if (file.channels() != record.channels)
+            throw Error(fmt::format("{}: has other channels than its manifest says; bake the set "
+                                    "again",
+                                    (folder_ / record.file).string()));
+        if (record.map == Map::map) {
+            colors_.table = read_table(*manifest_.color_map->table, file);
+            continue;
+        }
+        if (file.width(0) != manifest_.width || file.height(0) != manifest_.height ||
+            file.levels() != static_cast<int>(manifest_.levels.size()))
+            throw Error(fmt::format("{}: is {}x{} with {} levels, its manifest says {}x{} with {}; "
+                                    "bake the set again",
+                                    (folder_ / record.file).string(), file.width(0), file.height(0),
+                                    file.levels(), manifest_.width, manifest_.height,
+                                    manifest_.levels.size()));
+        textures_.push_back({record.map, std::move(file), -1, 0, 0, {}});
+    }
+    auto has = [this](Map map) {
+        return std::any_of(manifest_.textures.begin(), manifest_.textures.end(),
+                           [map](const TextureRecord& record) { return record.map == map; });
+    };
+    colors_.has_slope = has(Map::colorslope);
+    if (has(Map::colorheight))
+        colors_.models.push_back(ColorModel::height);
+    if (has(Map::rank))
+        colors_.models.push_back(ColorModel::rank);
+    if (has(Map::map)) {
+        colors_.models.push_back(ColorModel::map);
+        colors_.map_by = manifest_.color_map->by;
+        const double azimuth = manifest_.color_map->azimuth_deg * kRadPerDegree;
+        colors_.azimuth_s = static_cast<float>(std::cos(azimuth));
+        colors_.azimuth_t = static_cast<float>(std::sin(azimuth));
+    }
+}
+
+SetReader::~SetReader() = default;
+SetReader::SetReader(SetReader&&) noexcept = default;
+
+std::vector<SetTexel> SetReader::row(int level, int y)
+{
+    const int width = std::max(1, manifest_.width >> level);
+    std::vector<SetTexel> texels(static_cast<size_t>(width));
+    for (Texture& texture : textures_) {
+        const size_t channels = texture.file.channels().size();
+        const float* values = texture.row(level, y);
+        for (size_t x = 0; x < texels.size(); ++x)
+            for (size_t i = 0; i < channels; ++i)
+                if (float* of_texel = place(texels[x], texture.map, i, channels / 3))
+                    *of_texel = values[x * channels + i];
+    }
+    return texels;
+}
+
+} // namespace scree

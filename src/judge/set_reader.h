@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "judge/set_texel.h"
+#include "judge/shading.h"
+#include "texset/manifest.h"
+
+namespace scree {
+
+/// The texels of a baked set, read as a renderer would.
+class SetReader {
+public:
+    /// set  its folder, or its manifest
+    /// Throws Error when a texture that the manifest names is missing, damaged, or of another size.
+    explicit SetReader(const std::filesystem::path& set);
+    ~SetReader();
+    SetReader(SetReader&&) noexcept;
+
+    [[nodiscard]] const Manifest& manifest() const { return manifest_; }
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    [[nodiscard]] const SetColors& colors() const { return colors_; }
+
+    /// Row `y` of a level.
+    [[nodiscard]] std::vector<SetTexel> row(int level, int y);
+
+private:
+    struct Texture;
+    std::filesystem::path folder_;
+    Manifest manifest_;
+    SetColors colors_;
+    std::vector<Texture> textures_;
+};
+
+} // namespace scree

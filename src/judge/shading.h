@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "color/map_table.h"
+#include "judge/set_texel.h"
+#include "kernel/filter.h"
+
+namespace scree {
+
+using Rgbf = std::array<float, 3>;
+using Vec3f = filter::Vec3<float>;
+
+/// How facets reflect: diffuse by their color, and a lobe of base_alpha with the reflectance f0.
+struct Material {
+    float base_alpha = 0.3F; ///< Beckmann roughness of a facet
+    float f0 = 0.04F;        ///< at any angle: what Fresnel adds is the renderer's
+};
+
+/// The ways a set can tell the visible color.
+enum class ColorModel {
+    mean,   ///< E[c]
+    height, ///< linear in height, NAME.colorheight.exr
+    rank,   ///< by height rank, NAME.rank.exr
+    map     ///< the color map's table, NAME.map.exr
+};
+
+std::string color_model_name(ColorModel model);
+
+/// What the colors of a whole set have in common.
+struct SetColors {
+    std::vector<ColorModel> models;     ///< that the set has maps for, mean first, best last
+    bool has_slope = false;             ///< NAME.colorslope.exr
+    MapTable table;                     ///< of ColorModel::map
+    std::string map_by;                 ///< "height", "slope", "slope magnitude"; empty: no map
+    float azimuth_s = 1, azimuth_t = 0; ///< of "slope"
+
+    /// What a renderer would take: the table of a color map, ranks, the line, the mean.
+    [[nodiscard]] ColorModel best() const { return models.back(); }
+};
+
+/// Slopes of a texel as a renderer makes them of its moments.
+filter::Slopes<float> slopes_of(const SetTexel& texel);
+
+/// The color that a view sees, by one of the models.
+///
+/// wo        to the viewer
+/// exponent  Lambda of the view; of view plus light for what is seen and lit
+/// by_slope  adds the correlation with slope (not to a color map's table by slope, which has it)
+Rgbf visible_color(const SetTexel& texel, const SetColors& colors, ColorModel model, bool by_slope,
+                   const Vec3f& wo, float exponent);
+
+/// Radiance over irradiance under one directional light: color diffuse / pi + f0 specular, of
+/// kernel/filter.h. The twin of scree_radiance in src/shaders/scree_set.glsl, without Fresnel.
+Rgbf radiance(const filter::Slopes<float>& slopes, const Rgbf& color, const Material& material,
+              const Vec3f& wo, const Vec3f& wi);
+
+/// What a plain MIP chain shows: mean color on the mean normal, no spread, no masking.
+Rgbf plain_radiance(const SetTexel& texel, const Material& material, const Vec3f& wo,
+                    const Vec3f& wi);
+
+} // namespace scree
