@@ -1,0 +1,135 @@
+#include "report/scale.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/numbers.h"
+
+namespace scree::report {
+
+namespace {
+
+constexpr double kRoom = 0.04;                         // beyond the outermost points, of the axis
+constexpr double kLargest = 1e300, kSmallest = 1e-290; // so that no sum or step overflows
+
+/// A step of 1, 2 or 5 times a power of ten with about `count` steps in `range`.
+struct Step {
+    double size = 1;
+    int exponent = 0; ///< of the power of ten
+};
+
+Step round_step(double range, int count)
+{
+    const double rough = range / count;
+    const int exponent = static_cast<int>(std::floor(std::log10(rough)));
+    const double power = std::pow(10.0, exponent);
+    for (const double digit : {1.0, 2.0, 5.0})
+        if (digit * power >= rough * 0.9)
+            return {digit * power, exponent};
+    return {10 * power, exponent + 1};
+}
+
+/// The logarithm of the next of 1, 2, 5, 10, ... below (or above) a logarithm.
+double round_decade(double logarithm, bool up)
+{
+    constexpr double kNear = 1e-9; // rounding of the logarithms
+    const double decade = std::floor(logarithm + kNear);
+    double below = decade;
+    for (const double digit : {1.0, 2.0, 5.0, 10.0}) {
+        const double at = decade + std::log10(digit);
+        if (up && at >= logarithm - kNear)
+            return at;
+        if (at <= logarithm + kNear)
+            below = at;
+    }
+    return below;
+}
+
+/// Whether digit 10^n gets a number, on an axis of so many decades.
+bool is_written(int digit, int exponent, double decades)
+{
+    constexpr int kMostPowers = 7;
+    if (decades > 2.4) {
+        const int every = static_cast<int>(std::ceil(decades / kMostPowers));
+        return digit == 1 && exponent % every == 0;
+    }
+    if (decades > 1)
+        return digit == 1 || digit == 2 || digit == 5;
+    return digit <= 3 || digit == 5 || digit == 7;
+}
+
+} // namespace
+
+Scale::Scale(const std::vector<double>& values, bool logarithmic) : logarithmic_(logarithmic)
+{
+    std::vector<double> shown;
+    for (const double value : values)
+        if (std::isfinite(value) && (!logarithmic || value > 0))
+            shown.push_back(logarithmic ? std::log10(value)
+                                        : std::clamp(value, -kLargest, kLargest));
+    if (shown.empty())
+        shown = {0, 1};
+    const auto [low, high] = std::minmax_element(shown.begin(), shown.end());
+    if (logarithmic)
+        make_logarithmic(*low, *high);
+    else
+        make_linear(*low, *high);
+}
+
+void Scale::make_linear(double low, double high)
+{
+    constexpr int kSteps = 6, kMostDecimals = 12;
+    const double size = std::max(std::abs(low), std::abs(high));
+    if (high - low <= 1e-9 * size + kSmallest) {
+        const double around = size <= kSmallest ? 1 : size / 2;
+        low -= around;
+        high += around;
+    }
+    const double room = kRoom * (high - low);
+    const bool from_zero = low >= 0 && low < high / 2;
+    const bool to_zero = high <= 0 && high > low / 2;
+    const double bottom = from_zero ? 0 : low - room;
+    const double top = to_zero ? 0 : high + room;
+    const Step step = round_step(top - bottom, kSteps);
+    const double first = std::floor(bottom / step.size + 1e-9);
+    const double last = std::ceil(top / step.size - 1e-9);
+    low_ = first * step.size;
+    high_ = last * step.size;
+    const bool is_plain =
+        step.exponent >= -kMostDecimals / 2 && std::max(std::abs(low_), std::abs(high_)) < 1e9;
+    for (double i = first; i <= last; ++i) {
+        const double value = i * step.size;
+        ticks_.push_back(
+            {place(value), is_plain ? grouped(value, std::max(0, -step.exponent)) : brief(value)});
+    }
+}
+
+void Scale::make_logarithmic(double low, double high)
+{
+    constexpr double kManyDecades = 9; // small marks would run together
+    const double room = kRoom * std::max(high - low, 1.0);
+    low_ = round_decade(low - room, false);
+    high_ = round_decade(high + room, true);
+    const double decades = high_ - low_;
+    for (int exponent = static_cast<int>(std::floor(low_)); exponent <= std::ceil(high_);
+         ++exponent)
+        for (int digit = 1; digit <= 9; ++digit) {
+            const double at = exponent + std::log10(digit);
+            const bool has_number = is_written(digit, exponent, decades);
+            if (at < low_ - 1e-9 || at > high_ + 1e-9 ||
+                (digit > 1 && !has_number && decades > kManyDecades))
+                continue;
+            ticks_.push_back({std::clamp((at - low_) / decades, 0.0, 1.0),
+                              has_number ? of_decade(digit, exponent) : ""});
+        }
+}
+
+double Scale::place(double value) const
+{
+    if (logarithmic_ && value <= 0)
+        return 0;
+    const double at = logarithmic_ ? std::log10(value) : value;
+    return std::clamp((at - low_) / (high_ - low_), 0.0, 1.0);
+}
+
+} // namespace scree::report

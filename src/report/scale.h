@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace scree::report {
+
+/// A place on an axis that is marked.
+struct Tick {
+    double place = 0; ///< 0 at the low end of the axis, 1 at the high end
+    std::string text; ///< empty: a small mark between numbers
+};
+
+/// Where the values of an axis lie, and the numbers written along it.
+///
+/// The axis reaches from one round number to another: a little beyond the values, and down to 0
+/// where a linear axis comes near it.
+class Scale {
+public:
+    /// values       of all points; those that cannot be shown (not finite, or on a logarithmic axis
+    ///              not above 0) do not count
+    Scale(const std::vector<double>& values, bool logarithmic);
+
+    /// In [0, 1]; what the axis does not reach lies at its end.
+    /// value  not NaN
+    [[nodiscard]] double place(double value) const;
+
+    [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
+
+private:
+    void make_linear(double low, double high);
+    void make_logarithmic(double low, double high);
+
+    bool logarithmic_;
+    double low_ = 0, high_ = 1; ///< of the value, or of its logarithm to base 10
+    std::vector<Tick> ticks_;
+};
+
+} // namespace scree::report

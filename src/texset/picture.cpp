@@ -1,0 +1,117 @@
+#include "texset/picture.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include "math/error.h"
+
+namespace scree {
+
+namespace {
+
+/// IEC 61966-2-1; v in [0, 1].
+float srgb_of_linear(float v)
+{
+    return v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
+}
+
+std::vector<uint8_t> srgb_bytes(const Picture& picture)
+{
+    constexpr uint8_t kMagenta[3] = {255, 0, 255};
+    std::vector<uint8_t> bytes(picture.rgb.size());
+    for (size_t i = 0; i < bytes.size(); i += 3) {
+        const float* rgb = &picture.rgb[i];
+        const bool is_number = !std::isnan(rgb[0]) && !std::isnan(rgb[1]) && !std::isnan(rgb[2]);
+        for (size_t c = 0; c < 3; ++c)
+            bytes[i + c] = is_number ? static_cast<uint8_t>(std::lround(
+                                           255 * srgb_of_linear(std::clamp(rgb[c], 0.0F, 1.0F))))
+                                     : kMagenta[c];
+    }
+    return bytes;
+}
+
+OIIO::ImageSpec spec_of(const Picture& picture, OIIO::TypeDesc type)
+{
+    OIIO::ImageSpec spec(picture.width, picture.height, 3, type);
+    spec.attribute("DateTime", ""); // else OpenImageIO writes the time: equal pictures, other bytes
+    return spec;
+}
+
+OIIO::ImageSpec srgb_spec(const Picture& picture)
+{
+    OIIO::ImageSpec spec = spec_of(picture, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    return spec;
+}
+
+bool holds_light(const std::filesystem::path& file)
+{
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == ".exr" || ending == ".hdr";
+}
+
+bool write_pixels(OIIO::ImageOutput& out, const Picture& picture, bool as_light)
+{
+    return as_light ? out.write_image(OIIO::TypeDesc::FLOAT, picture.rgb.data())
+                    : out.write_image(OIIO::TypeDesc::UINT8, srgb_bytes(picture).data());
+}
+
+/// Removes a file unless it was renamed.
+struct PartialFile {
+    std::filesystem::path path;
+
+    PartialFile(const PartialFile&) = delete;
+    PartialFile& operator=(const PartialFile&) = delete;
+    ~PartialFile()
+    {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+    }
+};
+
+} // namespace
+
+std::vector<uint8_t> png_bytes(const Picture& picture)
+{
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const auto out = OIIO::ImageOutput::create("png");
+    if (!out || !out->set_ioproxy(&memory) || !out->open("picture.png", srgb_spec(picture)) ||
+        !write_pixels(*out, picture, false) || !out->close())
+        throw Error(fmt::format("a {}x{} picture cannot be made into a PNG: {}", picture.width,
+                                picture.height, out ? out->geterror() : OIIO::geterror()));
+    return bytes;
+}
+
+void write_picture(const Picture& picture, const std::filesystem::path& file)
+{
+    const PartialFile partial{file.parent_path() / fmt::format(".{}.scree-{}{}",
+                                                               file.stem().string(), getpid(),
+                                                               file.extension().string())};
+    auto fail = [&file](const std::string& why) {
+        throw Error(fmt::format("{}: cannot be written: {}", file.string(), why));
+    };
+    const auto out = OIIO::ImageOutput::create(partial.path.string());
+    if (!out)
+        fail(OIIO::geterror());
+    const bool as_light = holds_light(file);
+    const OIIO::ImageSpec spec =
+        as_light ? spec_of(picture, OIIO::TypeDesc::FLOAT) : srgb_spec(picture);
+    if (!out->open(partial.path.string(), spec) || !write_pixels(*out, picture, as_light) ||
+        !out->close())
+        fail(out->geterror());
+    std::error_code failed;
+    std::filesystem::rename(partial.path, file, failed);
+    if (failed)
+        fail(failed.message());
+}
+
+} // namespace scree
