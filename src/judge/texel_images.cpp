@@ -31,8 +31,7 @@ Rgbf shown(const SetTexel& texel, const SetColors& colors, const Material& mater
            const Vec3f& wo, const Vec3f& wi)
 {
     const auto slopes = slopes_of(texel);
-    const float exponent =
-        filter::masking(wo, slopes).lambda + filter::masking(wi, slopes).lambda;
+    const float exponent = filter::masking(wo, slopes).lambda + filter::masking(wi, slopes).lambda;
     return radiance(slopes, visible_color(texel, colors, colors.best(), false, wo, exponent),
                     material, wo, wi);
 }
@@ -42,8 +41,8 @@ Rgbf seen(const reference::Estimate& estimate, const Material& material)
     const reference::Lit& lit = estimate.all.lit.front();
     Rgbf color;
     for (size_t i = 0; i < 3; ++i)
-        color[i] = static_cast<float>(lit.diffuse[i] +
-                                      static_cast<double>(material.f0) * lit.specular);
+        color[i] =
+            static_cast<float>(lit.diffuse[i] + static_cast<double>(material.f0) * lit.specular);
     return color;
 }
 
@@ -63,8 +62,8 @@ void expose(TexelImages& images)
         for (float& value : picture->rgb)
             value *= factor;
     for (size_t i = 0; i < images.truth.rgb.size(); ++i)
-        images.difference.rgb[i] = static_cast<float>(kDifferenceGain) *
-                                   std::abs(images.set.rgb[i] - images.truth.rgb[i]);
+        images.difference.rgb[i] =
+            static_cast<float>(kDifferenceGain) * std::abs(images.set.rgb[i] - images.truth.rgb[i]);
 }
 
 } // namespace
@@ -104,8 +103,7 @@ TexelImages draw_texels(SetReader& set, const reference::DisplacedSurface& surfa
     for (int y = 0; y < height; ++y)
         for (const SetTexel& texel : set.row(level, y)) {
             put(images.plain, pixel, plain_radiance(texel, material, single(wo), single(wi)));
-            put(images.set, pixel,
-                shown(texel, set.colors(), material, single(wo), single(wi)));
+            put(images.set, pixel, shown(texel, set.colors(), material, single(wo), single(wi)));
             put(images.truth, pixel, seen(truths[pixel], material));
             ++pixel;
         }

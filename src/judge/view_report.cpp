@@ -1,0 +1,104 @@
+#include "judge/view_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+namespace scree {
+
+namespace {
+
+std::string angle_of(const ViewErrors& errors)
+{
+    return errors.angle_deg < 0 ? "all" : fmt::format("{:g}", errors.angle_deg);
+}
+
+std::string number(double error) { return fmt::format("{:.4f}", error); }
+
+/// One figure over the view's angle.
+report::Series over_angles(const ViewCheck& check, const std::string& name,
+                           ViewError ViewErrors::*figure, double ViewError::*part)
+{
+    report::Series series{name, {}, true};
+    for (const ViewErrors& errors : check.all)
+        if (errors.angle_deg >= 0)
+            series.points.push_back(
+                {errors.angle_deg, errors.*figure.*part, "", part == &ViewError::set, 0, 0});
+    return series;
+}
+
+report::Chart chart_of(const ViewCheck& check, const std::string& title,
+                       ViewError ViewErrors::*figure)
+{
+    report::Chart chart;
+    chart.title = title;
+    chart.x.label = "view, degrees from the normal";
+    chart.y.label = "rms error, relative";
+    chart.series = {over_angles(check, "plain MIP", figure, &ViewError::plain),
+                    over_angles(check, "set", figure, &ViewError::set),
+                    over_angles(check, "noise of the reference", figure, &ViewError::noise)};
+    return chart;
+}
+
+} // namespace
+
+report::Table view_table(const ViewCheck& check)
+{
+    report::Table table;
+    table.title = "What views see: rms errors against the reference";
+    table.headings = {"view deg", "color",     "plain",    "noise",     "radiance",
+                      "plain",    "noise",     "masking",  "plain",     "visible slope",
+                      "as baked", "slope cov", "as baked", "footprints"};
+    for (const ViewErrors& e : check.all)
+        table.rows.push_back({angle_of(e), number(e.color.set), number(e.color.plain),
+                              number(e.color.noise), number(e.radiance.set),
+                              number(e.radiance.plain), number(e.radiance.noise),
+                              number(e.masking.set), number(e.masking.plain), number(e.slope.set),
+                              number(e.slope.plain), number(e.covariance.set),
+                              number(e.covariance.plain), fmt::format("{}", e.footprints)});
+    return table;
+}
+
+report::Table model_table(const ViewCheck& check)
+{
+    report::Table table;
+    table.title = "Visible color by the set's models: rms errors, relative";
+    table.headings = {"view deg"};
+    table.headings.insert(table.headings.end(), check.models.begin(), check.models.end());
+    if (check.models.size() < 2)
+        return table;
+    for (const ViewErrors& errors : check.all) {
+        table.rows.push_back({angle_of(errors)});
+        for (const double model : errors.models)
+            table.rows.back().push_back(number(model));
+    }
+    return table;
+}
+
+report::Table level_table(const ViewCheck& check)
+{
+    report::Table table;
+    table.title = "Radiance level by level: rms errors of the set, relative, by degrees from the "
+                  "normal";
+    table.headings = {"level"};
+    int levels = 0;
+    for (const ViewErrors& errors : check.levels)
+        levels = std::max(levels, errors.level + 1);
+    for (int level = 0; level < levels; ++level)
+        table.rows.push_back({fmt::format("{}", level)});
+    for (const ViewErrors& errors : check.levels) {
+        if (errors.level == 0)
+            table.headings.push_back(angle_of(errors));
+        table.rows[static_cast<size_t>(errors.level)].push_back(number(errors.radiance.set));
+    }
+    return table;
+}
+
+std::vector<report::Chart> view_charts(const ViewCheck& check)
+{
+    return {chart_of(check, "Visible color", &ViewErrors::color),
+            chart_of(check, "Radiance", &ViewErrors::radiance)};
+}
+
+} // namespace scree

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "judge/view_check.h"
+#include "report/chart.h"
+#include "report/table.h"
+
+namespace scree {
+
+/// What views see, angle by angle, all levels together.
+report::Table view_table(const ViewCheck& check);
+
+/// The visible color's error by every model that the set has; no rows where it has but the mean.
+report::Table model_table(const ViewCheck& check);
+
+/// Error of the radiance level by level, a column an angle.
+report::Table level_table(const ViewCheck& check);
+
+/// Errors of color and radiance over the view's angle: a plain MIP chain, the set, and the
+/// reference's own noise.
+std::vector<report::Chart> view_charts(const ViewCheck& check);
+
+} // namespace scree
