@@ -11,7 +11,7 @@ namespace scree::reference {
 /// A place on the surface.
 struct SurfacePoint {
     double height = 0; ///< world units
-    Vec2 slope;        ///< (dh/ds, dh/dt), world over world
+    Vec2 slope{0, 0};  ///< (dh/ds, dh/dt), world over world
     Rgb color{};       ///< of the texel
     double weight = 0; ///< of the texel; 0: no data, and the rest is not defined
 };

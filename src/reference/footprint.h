@@ -28,8 +28,20 @@ Footprint footprint_of(int width, int height, int level, int x, int y);
 int level_count(int width, int height);
 int level_size(int n, int level);
 
-/// Position in texels at which a share u in [0, 1) of the footprint lies before: what a uniform
-/// number is turned into to sample the axis.
+/// Positions along the shares of a footprint: what uniform numbers are turned into to sample it.
+class SharePositions {
+public:
+    explicit SharePositions(const AxisShares& shares);
+
+    /// The position, in texels, before which a share u in [0, 1) of the footprint lies.
+    [[nodiscard]] double at(double u) const;
+
+private:
+    int first_;
+    std::vector<double> edges_; ///< share that lies before each texel; the last: all of it
+};
+
+/// The same for a single position.
 double position_at(const AxisShares& shares, double u);
 
 } // namespace scree::reference

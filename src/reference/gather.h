@@ -17,7 +17,7 @@ struct Seen {
     double facing = 0;                  ///< E[W], projected area of what faces the view
     double area = 0;                    ///< E[V W], projected area that is seen
     Rgb color{};                        ///< E[V W c] / E[V W]
-    Vec2 slope;                         ///< E[V W slope] / E[V W]
+    Vec2 slope{0, 0};                   ///< E[V W slope] / E[V W]
     std::array<double, 3> covariance{}; ///< of the slopes seen: ss, st, tt
 
     /// Share of the facing area that is seen; 0 where none faces.

@@ -1,0 +1,176 @@
+#include "reference/gather.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "reference/jitter.h"
+#include "reference/view_sums.h"
+
+namespace scree::reference {
+namespace {
+
+constexpr double kTwoPi = 6.28318530717958647693;
+
+/// What a pair of view and light asks of each sample.
+struct HalfVector {
+    Vec2 slope{0, 0};       ///< of the facet that mirrors the light into the view
+    double scale = 0; ///< 1 / (4 h.z^4) times the peak of the facets' slope density
+};
+
+HalfVector half_vector(const Vec3& wo, const Vec3& wi, double base_alpha)
+{
+    const Vec3 h = (wo + wi).normalized();
+    const double peak = 2 / (kTwoPi * base_alpha * base_alpha); // 1 / (2 pi variance)
+    return {{-h.x / h.z, -h.y / h.z}, peak / (4 * h.z * h.z * h.z * h.z)};
+}
+
+class Gatherer {
+public:
+    Gatherer(const DisplacedSurface& surface, const GatherPlan& plan);
+
+    Estimate run(const Footprint& footprint, uint64_t index);
+
+private:
+    void add(GatherSums& sums, double s, double t, const SurfacePoint& point);
+    bool add_views(GatherSums& sums, double s, double t, const SurfacePoint& point);
+    void add_light(GatherSums& sums, size_t light, const SurfacePoint& point);
+    bool is_open(double s, double t, const Vec3& w)
+    {
+        ++rays_;
+        return surface_.is_open(s, t, w);
+    }
+
+    const DisplacedSurface& surface_;
+    const GatherPlan& plan_;
+    std::vector<HalfVector> halves_; ///< views x lights
+    std::vector<double> visible_;    ///< of each view at this sample: V W weight
+    long long rays_ = 0;
+};
+
+Gatherer::Gatherer(const DisplacedSurface& surface, const GatherPlan& plan)
+    : surface_(surface), plan_(plan), visible_(plan.views.size())
+{
+    for (const Vec3& view : plan.views)
+        for (const Vec3& light : plan.lights)
+            halves_.push_back(half_vector(view, light, plan.base_alpha));
+}
+
+/// Slope of a facet's face towards w: its projected area per area of the mean plane, where
+/// positive.
+double towards(const Vec3& w, const Vec2& slope) { return w.z - w.x * slope.x - w.y * slope.y; }
+
+bool Gatherer::add_views(GatherSums& sums, double s, double t, const SurfacePoint& point)
+{
+    bool any = false;
+    for (size_t v = 0; v < plan_.views.size(); ++v) {
+        const double area = point.weight * towards(plan_.views[v], point.slope);
+        visible_[v] = 0;
+        if (!(area > 0))
+            continue;
+        SeenSums& seen = sums.seen[v];
+        seen.facing += area;
+        if (!is_open(s, t, plan_.views[v]))
+            continue;
+        visible_[v] = area;
+        any = true;
+        seen.area += area;
+        for (size_t c = 0; c < 3; ++c)
+            seen.color[c] += area * point.color[c];
+        seen.slopes.add(area, point.slope);
+    }
+    return any;
+}
+
+/// Adds what a light, which reaches the point, shows of it to every view.
+void Gatherer::add_light(GatherSums& sums, size_t light, const SurfacePoint& point)
+{
+    const double normal_length = std::sqrt(1 + point.slope.length2());
+    const double cosine = towards(plan_.lights[light], point.slope) / normal_length;
+    const double precision = 1 / (plan_.base_alpha * plan_.base_alpha); // 1 / (2 variance)
+    for (size_t v = 0; v < plan_.views.size(); ++v) {
+        if (!(visible_[v] > 0))
+            continue;
+        const size_t pair = v * plan_.lights.size() + light;
+        LitSums& lit = sums.lit[pair];
+        lit.open += visible_[v];
+        for (size_t c = 0; c < 3; ++c) {
+            lit.color[c] += visible_[v] * point.color[c];
+            lit.diffuse[c] += visible_[v] * point.color[c] * cosine;
+        }
+        const HalfVector& half = halves_[pair];
+        lit.specular +=
+            point.weight * half.scale * std::exp(-precision * (half.slope - point.slope).length2());
+    }
+}
+
+void Gatherer::add(GatherSums& sums, double s, double t, const SurfacePoint& point)
+{
+    sums.weight += point.weight;
+    if (!add_views(sums, s, t, point))
+        return;
+    for (size_t l = 0; l < plan_.lights.size(); ++l) {
+        // A face turned away from the light is in its own shadow.
+        const Vec3& light = plan_.lights[l];
+        if (towards(light, point.slope) > 0 && is_open(s, t, light))
+            add_light(sums, l, point);
+    }
+}
+
+Estimate Gatherer::run(const Footprint& footprint, uint64_t index)
+{
+    const SharePositions along_s(footprint.s), along_t(footprint.t);
+    const size_t views = plan_.views.size(), lights = plan_.lights.size();
+    std::array<GatherSums, 2> halves{GatherSums(views, lights), GatherSums(views, lights)};
+    Estimate estimate;
+    rays_ = 0;
+    for (int j = 0; j < plan_.grid; ++j)
+        for (int i = 0; i < plan_.grid; ++i) {
+            const auto sample = static_cast<uint64_t>(j) * static_cast<uint64_t>(plan_.grid) +
+                                static_cast<uint64_t>(i);
+            const auto inside = jitter(plan_.seed, index, sample);
+            const double s = along_s.at((i + inside[0]) / plan_.grid);
+            const double t = along_t.at((j + inside[1]) / plan_.grid);
+            const SurfacePoint point = surface_.at(s, t);
+            if (!(point.weight > 0))
+                continue;
+            ++estimate.samples;
+            add(halves[static_cast<size_t>((i + j) % 2)], s, t, point);
+        }
+    estimate.rays = rays_;
+    for (size_t half = 0; half < 2; ++half)
+        estimate.halves[half] = halves[half].mean();
+    halves[0].add(halves[1]);
+    estimate.all = halves[0].mean();
+    return estimate;
+}
+
+} // namespace
+
+Estimate gather(const DisplacedSurface& surface, const Footprint& footprint, const GatherPlan& plan,
+                uint64_t index)
+{
+    return Gatherer(surface, plan).run(footprint, index);
+}
+
+std::vector<Estimate> gather_all(const DisplacedSurface& surface,
+                                 const std::vector<Footprint>& footprints, const GatherPlan& plan,
+                                 const std::function<void(double)>& progress)
+{
+    std::vector<Estimate> estimates(footprints.size());
+    std::mutex telling;
+    size_t done = 0;
+    tbb::parallel_for(size_t{0}, footprints.size(), [&](size_t i) {
+        estimates[i] = gather(surface, footprints[i], plan, i);
+        if (!progress)
+            return;
+        const std::lock_guard<std::mutex> lock(telling);
+        progress(static_cast<double>(++done) / static_cast<double>(footprints.size()));
+    });
+    return estimates;
+}
+
+} // namespace scree::reference
