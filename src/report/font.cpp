@@ -1,5 +1,7 @@
 #include "report/font.h"
 
+#include <sstream>
+
 namespace scree::report {
 
 namespace {
@@ -27,6 +29,21 @@ double text_width(std::string_view utf8, double font_size)
     for (const char c : utf8)
         width += glyph_width(static_cast<unsigned char>(c));
     return width * font_size;
+}
+
+std::vector<std::string> wrapped(const std::string& utf8, double font_size, double width)
+{
+    std::vector<std::string> lines;
+    std::istringstream words(utf8);
+    for (std::string word; words >> word;) {
+        const bool fits =
+            !lines.empty() && text_width(lines.back() + " " + word, font_size) <= width;
+        if (fits)
+            lines.back() += " " + word;
+        else
+            lines.push_back(word);
+    }
+    return lines;
 }
 
 } // namespace scree::report

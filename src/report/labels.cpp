@@ -98,25 +98,32 @@ private:
         for (const double gap : kGaps)
             for (const auto& d : kDirections) {
                 const Box box = box_beside(wish, radius_ + gap, d.dx, d.dy);
-                const double cost = standing_cost(box);
+                const double cost =
+                    standing_cost(wish.point, box) + d.cost + kDistanceCost * (gap - kGaps[0]);
                 if (cost < kImpossible)
-                    found.push_back({box, cost + d.cost + kDistanceCost * (gap - kGaps[0])});
+                    found.push_back({box, cost});
             }
         return found;
     }
 
-    /// What a box covers that never moves.
-    [[nodiscard]] double standing_cost(const Box& box) const
+    /// For covering what never moves: markers and the frame's edge not at all, strokes by length;
+    /// and for other markers on the way from the point to its label.
+    [[nodiscard]] double standing_cost(const Spot& point, const Box& box) const
     {
-        constexpr double kCrossing = 6; // a pixel of a stroke
+        constexpr double kCovering = 6, kPassing = 10; // a pixel
         if (box.x0 < frame_.x0 || box.y0 < frame_.y0 || box.x1 > frame_.x1 || box.y1 > frame_.y1)
             return kImpossible;
+        const Stroke leader = {point, nearest_in(box, point)};
         double cost = 0;
-        for (const auto& p : points_)
-            if (overlap(box, {p.x - radius_, p.y - radius_, p.x + radius_, p.y + radius_}) > 0)
+        for (const auto& p : points_) {
+            const Box marker = {p.x - radius_, p.y - radius_, p.x + radius_, p.y + radius_};
+            if (overlap(box, marker) > 0)
                 return kImpossible;
+            if (p.x != point.x || p.y != point.y)
+                cost += kPassing * length_inside(leader, marker);
+        }
         for (const auto& stroke : strokes_)
-            cost += kCrossing * length_inside(stroke, box);
+            cost += kCovering * length_inside(stroke, box);
         return cost;
     }
 
@@ -150,6 +157,11 @@ private:
 };
 
 } // namespace
+
+Spot nearest_in(const Box& box, const Spot& point)
+{
+    return {std::clamp(point.x, box.x0, box.x1), std::clamp(point.y, box.y0, box.y1)};
+}
 
 std::vector<std::optional<Box>> place_labels(const std::vector<LabelWish>& wishes,
                                              const std::vector<Spot>& points, double radius,

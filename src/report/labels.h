@@ -3,16 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "report/svg.h"
+
 namespace scree::report {
-
-/// A rectangle on paper, y down.
-struct Box {
-    double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
-
-struct Spot {
-    double x = 0, y = 0;
-};
 
 /// A straight line that labels had better not cross.
 struct Stroke {
@@ -24,6 +17,9 @@ struct LabelWish {
     Spot point;
     double width = 0, height = 0; ///< of the words
 };
+
+/// The place in a box that is nearest to a point.
+Spot nearest_in(const Box& box, const Spot& point);
 
 /// Places labels beside their points: inside the frame, off the points and strokes and off each
 /// other, as near as that allows.

@@ -31,15 +31,15 @@ constexpr std::array<Polygon, kShapes> kPolygons = {{{0, 4.6, 0, 0},
                                                      {8, 6.2, 2.6, 0},
                                                      {6, 5.4, 5.4, 30}}};
 
-std::string points_of(const Polygon& polygon, double x, double y)
+std::string points_of(const Polygon& polygon, const Spot& at)
 {
     std::string points;
     for (int i = 0; i < polygon.corners; ++i) {
         const double angle = (polygon.turn_deg + 360.0 * i / polygon.corners) * kPi / 180;
         const double radius = i % 2 == 0 ? polygon.radius : polygon.inner;
         points +=
-            fmt::format("{}{},{}", i == 0 ? "" : " ", coordinate(x + radius * std::sin(angle)),
-                        coordinate(y - radius * std::cos(angle)));
+            fmt::format("{}{},{}", i == 0 ? "" : " ", coordinate(at.x + radius * std::sin(angle)),
+                        coordinate(at.y - radius * std::cos(angle)));
     }
     return points;
 }
@@ -55,16 +55,23 @@ Look look_of(int series)
     return {kColors[index % kColors.size()], series % kShapes, kDashes[index % kDashes.size()]};
 }
 
-std::string marker(const Look& look, double x, double y, bool is_full)
+std::string marker(const Look& look, const Spot& at, bool is_full)
 {
     const std::string paint =
         fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"/>",
                     is_full ? look.color : "#ffffff", look.color);
     const Polygon& polygon = kPolygons[static_cast<size_t>(look.shape)];
     if (polygon.corners == 0)
-        return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}", coordinate(x), coordinate(y),
-                           coordinate(polygon.radius), paint);
-    return fmt::format("<polygon points=\"{}\" {}", points_of(polygon, x, y), paint);
+        return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}", coordinate(at.x),
+                           coordinate(at.y), coordinate(polygon.radius), paint);
+    return fmt::format("<polygon points=\"{}\" {}", points_of(polygon, at), paint);
+}
+
+std::string line_paint(const Look& look, bool is_dashed)
+{
+    const std::string dash =
+        is_dashed && !look.dash.empty() ? fmt::format(" stroke-dasharray=\"{}\"", look.dash) : "";
+    return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"{}", look.color, dash);
 }
 
 } // namespace scree::report

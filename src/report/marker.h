@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "report/svg.h"
+
 namespace scree::report {
 
 /// How a series is told from the others: by color (Okabe and Ito 2008, without their yellow, which
@@ -19,6 +21,10 @@ constexpr double kMarkerRadius = 6;
 
 /// An SVG element.
 /// is_full  else hollow: white inside
-std::string marker(const Look& look, double x, double y, bool is_full);
+std::string marker(const Look& look, const Spot& at, bool is_full);
+
+/// Attributes of a line.
+/// is_dashed  to tell it from others without markers
+std::string line_paint(const Look& look, bool is_dashed);
 
 } // namespace scree::report

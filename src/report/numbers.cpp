@@ -12,7 +12,6 @@ namespace {
 
 constexpr const char* kMinus = "\u2212";
 constexpr const char* kThinSpace = "\u2009";
-constexpr int kFirstWritten = -4, kLastWritten = 6; // powers of ten written out
 
 std::string raised(int number)
 {
@@ -41,15 +40,14 @@ std::string grouped(double value, int decimals)
     return text;
 }
 
-std::string of_decade(int digit, int exponent)
+std::string of_decade(int digit, int exponent, bool is_raised)
 {
-    if (exponent >= kFirstWritten && exponent <= kLastWritten)
+    const bool is_small_number = exponent == 0 || exponent == 1;
+    if (!is_raised || is_small_number)
         return grouped(digit * std::pow(10.0, exponent), std::max(0, -exponent));
     const std::string power = "10" + raised(exponent);
     return digit == 1 ? power : std::to_string(digit) + "\u00b7" + power;
 }
-
-std::string power_of_ten(int exponent) { return of_decade(1, exponent); }
 
 std::string brief(double value) { return fmt::format("{:.4g}", value); }
 

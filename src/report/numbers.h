@@ -8,12 +8,12 @@ namespace scree::report {
 /// one. decimals  0 to 15, after the point
 std::string grouped(double value, int decimals);
 
-/// 10^exponent: 0.001, 10, 10 000; beyond 10^-4 .. 10^6 the exponent raised, as in 10⁻⁵.
-std::string power_of_ten(int exponent);
+/// Powers of ten from 0.0001 to 1 000 000 are written out.
+constexpr int kFirstWritten = -4, kLastWritten = 6;
 
-/// digit 10^exponent, likewise.
+/// digit 10^exponent, as on a logarithmic axis: 0.002, 10, 20 000; raised: 2·10⁻³, 10, 2·10⁴.
 /// digit  1 to 9
-std::string of_decade(int digit, int exponent);
+std::string of_decade(int digit, int exponent, bool is_raised);
 
 /// Up to four significant digits, for words in running text.
 std::string brief(double value);

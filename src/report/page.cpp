@@ -35,7 +35,7 @@ tbody tr:nth-child(even) { background: var(--band); }
 .card svg { display: block; max-width: 100%; height: auto; }
 .pictures { display: flex; flex-wrap: wrap; gap: 1rem; margin: 1rem 0; }
 figure { margin: 0; max-width: 100%; }
-figure img { display: block; max-width: 100%; image-rendering: pixelated;
+figure img { display: block; max-width: 100%; height: auto; image-rendering: pixelated;
              border: 1px solid var(--rule); }
 figcaption { color: var(--faint); font-size: .875rem; padding-top: .3rem; }
 )";

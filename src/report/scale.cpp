@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kRoom = 0.04;                         // beyond the outermost points, of the axis
 constexpr double kLargest = 1e300, kSmallest = 1e-290; // so that no sum or step overflows
+constexpr double kNear = 1e-9;                         // rounding of logarithms and quotients
 
 /// A step of 1, 2 or 5 times a power of ten with about `count` steps in `range`.
 struct Step {
@@ -32,7 +33,6 @@ Step round_step(double range, int count)
 /// The logarithm of the next of 1, 2, 5, 10, ... below (or above) a logarithm.
 double round_decade(double logarithm, bool up)
 {
-    constexpr double kNear = 1e-9; // rounding of the logarithms
     const double decade = std::floor(logarithm + kNear);
     double below = decade;
     for (const double digit : {1.0, 2.0, 5.0, 10.0}) {
@@ -45,22 +45,22 @@ double round_decade(double logarithm, bool up)
     return below;
 }
 
-/// Whether digit 10^n gets a number, on an axis of so many decades.
-bool is_written(int digit, int exponent, double decades)
+/// Whether digit 10^n gets a number, on an axis of so many decades with room for so many numbers.
+bool is_written(int digit, int exponent, double decades, int steps)
 {
-    constexpr int kMostPowers = 7;
-    if (decades > 2.4) {
-        const int every = static_cast<int>(std::ceil(decades / kMostPowers));
+    if (decades > 0.4 * steps) {
+        const int every = std::max(1, static_cast<int>(std::ceil(decades / steps)));
         return digit == 1 && exponent % every == 0;
     }
-    if (decades > 1)
+    if (decades > 0.15 * steps)
         return digit == 1 || digit == 2 || digit == 5;
     return digit <= 3 || digit == 5 || digit == 7;
 }
 
 } // namespace
 
-Scale::Scale(const std::vector<double>& values, bool logarithmic) : logarithmic_(logarithmic)
+Scale::Scale(const std::vector<double>& values, bool logarithmic, int steps)
+    : logarithmic_(logarithmic)
 {
     std::vector<double> shown;
     for (const double value : values)
@@ -71,14 +71,15 @@ Scale::Scale(const std::vector<double>& values, bool logarithmic) : logarithmic_
         shown = {0, 1};
     const auto [low, high] = std::minmax_element(shown.begin(), shown.end());
     if (logarithmic)
-        make_logarithmic(*low, *high);
+        make_logarithmic(*low, *high, steps);
     else
-        make_linear(*low, *high);
+        make_linear(*low, *high, steps);
 }
 
-void Scale::make_linear(double low, double high)
+void Scale::make_linear(double low, double high, int steps)
 {
-    constexpr int kSteps = 6, kMostDecimals = 12;
+    constexpr double kPlainBelow = 1e9;
+    constexpr int kPlainDecimals = 6;
     const double size = std::max(std::abs(low), std::abs(high));
     if (high - low <= 1e-9 * size + kSmallest) {
         const double around = size <= kSmallest ? 1 : size / 2;
@@ -86,41 +87,37 @@ void Scale::make_linear(double low, double high)
         high += around;
     }
     const double room = kRoom * (high - low);
-    const bool from_zero = low >= 0 && low < high / 2;
-    const bool to_zero = high <= 0 && high > low / 2;
-    const double bottom = from_zero ? 0 : low - room;
-    const double top = to_zero ? 0 : high + room;
-    const Step step = round_step(top - bottom, kSteps);
-    const double first = std::floor(bottom / step.size + 1e-9);
-    const double last = std::ceil(top / step.size - 1e-9);
-    low_ = first * step.size;
-    high_ = last * step.size;
-    const bool is_plain =
-        step.exponent >= -kMostDecimals / 2 && std::max(std::abs(low_), std::abs(high_)) < 1e9;
-    for (double i = first; i <= last; ++i) {
+    low_ = low >= 0 && low < high / 2 ? 0 : low - room;
+    high_ = high <= 0 && high > low / 2 ? 0 : high + room;
+    const Step step = round_step(high_ - low_, steps);
+    const bool is_plain = step.exponent >= -kPlainDecimals && size < kPlainBelow;
+    const double last = std::floor(high_ / step.size + kNear);
+    for (double i = std::ceil(low_ / step.size - kNear); i <= last; ++i) {
         const double value = i * step.size;
         ticks_.push_back(
             {place(value), is_plain ? grouped(value, std::max(0, -step.exponent)) : brief(value)});
     }
 }
 
-void Scale::make_logarithmic(double low, double high)
+void Scale::make_logarithmic(double low, double high, int steps)
 {
     constexpr double kManyDecades = 9; // small marks would run together
     const double room = kRoom * std::max(high - low, 1.0);
     low_ = round_decade(low - room, false);
     high_ = round_decade(high + room, true);
     const double decades = high_ - low_;
-    for (int exponent = static_cast<int>(std::floor(low_)); exponent <= std::ceil(high_);
-         ++exponent)
+    const int first = static_cast<int>(std::floor(low_ + kNear));
+    const int last = static_cast<int>(std::floor(high_ + kNear));
+    const bool is_raised = first < kFirstWritten || last > kLastWritten;
+    for (int exponent = first; exponent <= last; ++exponent)
         for (int digit = 1; digit <= 9; ++digit) {
             const double at = exponent + std::log10(digit);
-            const bool has_number = is_written(digit, exponent, decades);
-            if (at < low_ - 1e-9 || at > high_ + 1e-9 ||
-                (digit > 1 && !has_number && decades > kManyDecades))
+            const bool has_number = is_written(digit, exponent, decades, steps);
+            const bool is_outside = at < low_ - kNear || at > high_ + kNear;
+            if (is_outside || (digit > 1 && !has_number && decades > kManyDecades))
                 continue;
             ticks_.push_back({std::clamp((at - low_) / decades, 0.0, 1.0),
-                              has_number ? of_decade(digit, exponent) : ""});
+                              has_number ? of_decade(digit, exponent, is_raised) : ""});
         }
 }
 

@@ -13,13 +13,14 @@ struct Tick {
 
 /// Where the values of an axis lie, and the numbers written along it.
 ///
-/// The axis reaches from one round number to another: a little beyond the values, and down to 0
-/// where a linear axis comes near it.
+/// The axis reaches a little beyond the values; a linear one to 0 where it comes near it, a
+/// logarithmic one to round numbers.
 class Scale {
 public:
     /// values       of all points; those that cannot be shown (not finite, or on a logarithmic axis
     ///              not above 0) do not count
-    Scale(const std::vector<double>& values, bool logarithmic);
+    /// steps        about as many numbers find room
+    Scale(const std::vector<double>& values, bool logarithmic, int steps);
 
     /// In [0, 1]; what the axis does not reach lies at its end.
     /// value  not NaN
@@ -28,8 +29,8 @@ public:
     [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
 
 private:
-    void make_linear(double low, double high);
-    void make_logarithmic(double low, double high);
+    void make_linear(double low, double high, int steps);
+    void make_logarithmic(double low, double high, int steps);
 
     bool logarithmic_;
     double low_ = 0, high_ = 1; ///< of the value, or of its logarithm to base 10
