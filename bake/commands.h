@@ -10,5 +10,6 @@ namespace scree::tool {
 void add_bake(CLI::App& app);
 void add_info(CLI::App& app);
 void add_sample(CLI::App& app);
+void add_validate(CLI::App& app);
 
 } // namespace scree::tool

@@ -13,6 +13,8 @@ namespace scree::tool {
 
 namespace {
 
+constexpr const char* kValidateTable = "validate";
+
 /// Position of a value in the file, for messages.
 std::string where(const std::filesystem::path& file, const toml::node& node)
 {
@@ -47,24 +49,28 @@ bool is_listed(const std::string& keys, const std::string& key)
     return ("," + keys + ",").find("," + key + ",") != std::string::npos;
 }
 
-} // namespace
-
-void apply_recipe(CLI::App& command, const std::filesystem::path& file,
-                  const std::string& path_keys)
+toml::table read_recipe(const std::filesystem::path& file)
 {
     if (!std::filesystem::exists(file))
         throw UsageError(fmt::format("{}: no such file; expected a recipe", file.string()));
     if (std::filesystem::is_directory(file))
         throw UsageError(fmt::format("{}: is a folder, expected a recipe", file.string()));
-    toml::table recipe;
     try {
-        recipe = toml::parse_file(file.string());
+        return toml::parse_file(file.string());
     } catch (const toml::parse_error& e) {
         throw UsageError(
             fmt::format("{}:{}: {}", file.string(), e.source().begin.line, e.description()));
     }
-    for (const auto& [toml_key, node] : recipe) {
+}
+
+/// The options of `command` among the keys of a table.
+void apply_table(CLI::App& command, const toml::table& table, const std::filesystem::path& file,
+                 const std::string& path_keys)
+{
+    for (const auto& [toml_key, node] : table) {
         const std::string key(toml_key.str());
+        if (key == kValidateTable && node.is_table())
+            continue; // what another command is to do with the set
         CLI::Option* option = command.get_option_no_throw("--" + key);
         if (option == nullptr || key == "help")
             throw UsageError(fmt::format("{}: there is no option '{}'; see scree {} --help",
@@ -89,6 +95,26 @@ void apply_recipe(CLI::App& command, const std::filesystem::path& file,
             throw UsageError(fmt::format("{}: {}: {}", where(file, node), key, e.what()));
         }
     }
+}
+
+} // namespace
+
+void apply_recipe(CLI::App& command, const std::filesystem::path& file,
+                  const std::string& path_keys)
+{
+    apply_table(command, read_recipe(file), file, path_keys);
+}
+
+void apply_validate_table(CLI::App& command, const std::filesystem::path& file,
+                          const std::string& path_keys)
+{
+    const toml::table recipe = read_recipe(file);
+    const toml::table* table = recipe[kValidateTable].as_table();
+    if (table == nullptr)
+        throw UsageError(fmt::format("{}: has no table [{}]; expected one with options of scree "
+                                     "validate",
+                                     file.string(), kValidateTable));
+    apply_table(command, *table, file, path_keys);
 }
 
 } // namespace scree::tool

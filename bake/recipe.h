@@ -16,10 +16,15 @@ namespace scree::tool {
 ///   texel-size = [0.001, 0.001]
 ///   alpha-weight = true
 /// Paths in it are relative to the recipe. Throws UsageError, naming the file and the key, for
-/// unknown keys, tables, and values an option does not take.
+/// unknown keys, tables, and values an option does not take. A table [validate] is left for
+/// `scree validate`.
 ///
 /// path_keys  options whose values are paths, comma separated
 void apply_recipe(CLI::App& command, const std::filesystem::path& file,
                   const std::string& path_keys);
+
+/// The same for the keys of the recipe's table [validate]; UsageError where it has none.
+void apply_validate_table(CLI::App& command, const std::filesystem::path& file,
+                          const std::string& path_keys);
 
 } // namespace scree::tool

@@ -61,9 +61,11 @@ InputFiles find_inputs(const Manifest& manifest, const fs::path& set,
             throw Error(fmt::format("{}: no such folder; --inputs names folders with the files a "
                                     "set was baked from",
                                     folder.string()));
-    const fs::path folder = fs::absolute(fs::is_directory(set) ? set : set.parent_path());
-    const std::vector<fs::path> beside{folder, folder.lexically_normal().parent_path(),
-                                       folder.parent_path(), fs::current_path()};
+    fs::path folder = fs::absolute(fs::is_directory(set) ? set : set.parent_path());
+    folder = folder.lexically_normal();
+    if (folder.filename().empty()) // written with a slash at its end
+        folder = folder.parent_path();
+    const std::vector<fs::path> beside{folder, folder.parent_path(), fs::current_path()};
     InputFiles files;
     for (const InputRecord& input : manifest.inputs) {
         fs::path& place = input.role == "color"      ? files.color

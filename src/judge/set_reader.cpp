@@ -118,6 +118,7 @@ SetReader::SetReader(const std::filesystem::path& set)
         return std::any_of(manifest_.textures.begin(), manifest_.textures.end(),
                            [map](const TextureRecord& record) { return record.map == map; });
     };
+    has_color_ = has(Map::color);
     colors_.has_slope = has(Map::colorslope);
     if (has(Map::colorheight))
         colors_.models.push_back(ColorModel::height);
@@ -138,7 +139,10 @@ SetReader::SetReader(SetReader&&) noexcept = default;
 std::vector<SetTexel> SetReader::row(int level, int y)
 {
     const int width = std::max(1, manifest_.width >> level);
-    std::vector<SetTexel> texels(static_cast<size_t>(width));
+    SetTexel blank;
+    if (!has_color_)
+        blank.color = {1, 1, 1};
+    std::vector<SetTexel> texels(static_cast<size_t>(width), blank);
     for (Texture& texture : textures_) {
         const size_t channels = texture.file.channels().size();
         const float* values = texture.row(level, y);

@@ -23,7 +23,7 @@ public:
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] const SetColors& colors() const { return colors_; }
 
-    /// Row `y` of a level.
+    /// Row `y` of a level; white where the set has no colors.
     [[nodiscard]] std::vector<SetTexel> row(int level, int y);
 
 private:
@@ -31,6 +31,7 @@ private:
     std::filesystem::path folder_;
     Manifest manifest_;
     SetColors colors_;
+    bool has_color_ = false;
     std::vector<Texture> textures_;
 };
 

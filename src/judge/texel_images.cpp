@@ -10,6 +10,8 @@ namespace scree {
 
 namespace {
 
+constexpr Rgbf kHidden{0.2F, 0.2F, 0.2F};
+
 Vec3f single(const Vec3& w)
 {
     return {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)};
@@ -54,7 +56,8 @@ double exposure_of(const Picture& truth)
     return *at > 0 ? 0.8 / static_cast<double>(*at) : 1;
 }
 
-void expose(TexelImages& images)
+/// Texels of which nothing is seen show nowhere; gray, and no difference.
+void expose(TexelImages& images, const std::vector<reference::Estimate>& truths)
 {
     images.exposure = exposure_of(images.truth);
     const auto factor = static_cast<float>(images.exposure);
@@ -64,6 +67,11 @@ void expose(TexelImages& images)
     for (size_t i = 0; i < images.truth.rgb.size(); ++i)
         images.difference.rgb[i] =
             static_cast<float>(kDifferenceGain) * std::abs(images.set.rgb[i] - images.truth.rgb[i]);
+    for (size_t pixel = 0; pixel < truths.size(); ++pixel)
+        if (!(truths[pixel].all.seen.front().area > 0)) {
+            put(images.truth, pixel, kHidden);
+            put(images.difference, pixel, {0, 0, 0});
+        }
 }
 
 } // namespace
@@ -85,6 +93,7 @@ TexelImages draw_texels(SetReader& set, const reference::DisplacedSurface& surfa
     const int height = reference::level_size(manifest.height, level);
     TexelImages images;
     images.level = level;
+    images.angle_deg = std::acos(wo.z) * 180 / 3.14159265358979323846;
     images.plain = images.set = images.truth = images.difference = picture_of(width, height);
 
     std::vector<reference::Footprint> footprints;
@@ -107,7 +116,7 @@ TexelImages draw_texels(SetReader& set, const reference::DisplacedSurface& surfa
             put(images.truth, pixel, seen(truths[pixel], material));
             ++pixel;
         }
-    expose(images);
+    expose(images, truths);
     return images;
 }
 

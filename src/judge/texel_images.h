@@ -11,9 +11,11 @@
 namespace scree {
 
 /// A level seen from far away under one light, a pixel a texel: what a plain MIP chain shows, the
-/// set, the reference, and how far the set is off.
+/// set, the reference, and how far the set is off. Texels of which nothing is seen are gray in the
+/// reference, and count as no difference.
 struct TexelImages {
     int level = 0;
+    double angle_deg = 0;      ///< of the view, from the normal
     Picture plain, set, truth; ///< radiance times `exposure`
     Picture difference;        ///< |set - truth|, kDifferenceGain times brighter
     double exposure = 1;       ///< makes the brightest of the reference, but for 2 %, 0.8

@@ -237,6 +237,7 @@ ViewCheck check_views(SetReader& set, const reference::DisplacedSurface& surface
     const ViewComparison comparison(set.colors(), plan.material, gathering.lights);
     for (size_t i = 0; i < picked.size(); ++i) {
         check.rays += truths[i].rays;
+        check.samples += truths[i].samples;
         auto& of_level = sums[static_cast<size_t>(picked[i].level)];
         for (Sums& of_angle : of_level)
             ++of_angle.footprints;

@@ -64,8 +64,8 @@ struct ViewCheck {
     std::vector<ViewErrors> all;     ///< per angle, all levels together; the last of all angles
     std::vector<ViewErrors> levels;  ///< per level and angle
     double rms_slope = 0;            ///< of the map: the yardstick of slopes
-    long long rays = 0;              ///< cast
-    double seconds = 0;              ///< that took
+    long long samples = 0, rays = 0; ///< taken of the surface, and cast from them
+    double seconds = 0;              ///< that they took
 };
 
 /// Compares what a set shows with the reference.

@@ -1,10 +1,8 @@
 #include "pipeline/bake.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
-#include <thread>
 
 #include "math/error.h"
 #include "pipeline/color_table.h"
@@ -15,9 +13,9 @@
 #include "pipeline/model_choice.h"
 #include "pipeline/pixel_types.h"
 #include "pipeline/surface.h"
+#include "pipeline/thread_limit.h"
 #include "pipeline/warnings.h"
 #include "pipeline/write_pass.h"
-#include "texset/image_threads.h"
 #include "texset/staged_folder.h"
 
 namespace scree {
@@ -119,22 +117,6 @@ std::vector<LevelSummary> write_textures(const Surface& surface, const std::vect
     return is_reported ? manifest.levels : report.summaries();
 }
 
-/// Limits all threads, Scree's and those of the image libraries, while it exists.
-class ThreadLimit {
-public:
-    explicit ThreadLimit(int asked)
-        : threads_(asked > 0 ? asked
-                             : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))),
-          tbb_(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads_))
-    {
-        set_image_threads(threads_);
-    }
-
-private:
-    int threads_;
-    tbb::global_control tbb_;
-};
-
 bool has_table(const Manifest& manifest)
 {
     return std::any_of(manifest.textures.begin(), manifest.textures.end(),
@@ -148,6 +130,12 @@ void write_table(const ColorTable& table, Manifest& manifest, const std::filesys
         if (texture.map == Map::map)
             write_color_table(table.table, folder / texture.file,
                               attributes_of(Map::map, manifest));
+}
+
+void expect_output(const BakeOptions& options)
+{
+    if (options.output.empty())
+        throw Error("no output folder; give -o DIR");
 }
 
 Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& options,
@@ -201,6 +189,7 @@ Manifest bake(Source& source, const BakeOptions& options, Manifest manifest,
               const BakeMonitor& monitor)
 {
     expect_sensible(options);
+    expect_output(options);
     const ThreadLimit limit(options.threads);
     StagedFolder folder(options.output); // first, so that a bad -o fails before the work
     return bake_into(folder, source, options, std::move(manifest), monitor);
@@ -211,6 +200,7 @@ Manifest bake(const BakeOptions& options, const BakeMonitor& monitor)
     expect_sensible(options);
     if (options.height_file.empty())
         throw Error("no height map; give --height FILE (see scree bake --help)");
+    expect_output(options);
     const ThreadLimit limit(options.threads);
     FileSource source(options);
     StagedFolder folder(options.output);

@@ -82,8 +82,6 @@ void expect_sensible(const BakeOptions& options)
         throw Error("--height-scale and --height-offset must be finite");
     if (!(options.half_tolerance >= 0) || !std::isfinite(options.half_tolerance))
         throw Error("--half-tolerance must be 0 or more, and finite");
-    if (options.output.empty())
-        throw Error("no output folder; give -o DIR");
     if (!options.color_file.empty() && !options.colormap_file.empty())
         throw Error("--color and --colormap both say what color the surface has; give one of them");
     if (options.map_range)

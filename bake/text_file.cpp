@@ -1,0 +1,31 @@
+#include "bake/text_file.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "math/error.h"
+
+namespace scree::tool {
+
+void write_text(const std::string& text, const std::filesystem::path& file)
+{
+    const auto partial =
+        file.parent_path() / fmt::format(".{}.scree-{}", file.filename().string(), getpid());
+    std::ofstream out(partial, std::ios::binary);
+    out << text;
+    out.close();
+    std::error_code failed;
+    if (out)
+        std::filesystem::rename(partial, file, failed);
+    if (out && !failed)
+        return;
+    std::error_code ignored;
+    std::filesystem::remove(partial, ignored);
+    throw Error(fmt::format("{}: cannot be written{}; is the folder there, may it be written to, "
+                            "is there room on the disk?",
+                            file.string(), failed ? ": " + failed.message() : ""));
+}
+
+} // namespace scree::tool

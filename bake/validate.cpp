@@ -1,0 +1,196 @@
+#include "judge/validation.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "bake/bake_words.h"
+#include "bake/commands.h"
+#include "bake/recipe.h"
+#include "bake/supervisor.h"
+#include "bake/terminal.h"
+#include "bake/text_file.h"
+#include "judge/inputs.h"
+#include "judge/statistics_report.h"
+#include "judge/validation_json.h"
+#include "judge/validation_page.h"
+#include "judge/view_report.h"
+#include "pipeline/thread_limit.h"
+
+namespace scree::tool {
+
+namespace {
+
+struct ValidateWords {
+    std::filesystem::path set, recipe, report, json;
+    std::vector<std::filesystem::path> inputs;
+    std::string ocio_config;
+    ValidationPlan plan;
+    std::vector<double> light = {};
+    bool statistics_only = false;
+    int threads = 0;
+    bool quiet = false;
+};
+
+constexpr const char* kPathKeys = "inputs,ocio-config,report,json";
+
+void add_options(CLI::App& command, ValidateWords& words)
+{
+    ViewPlan& view = words.plan.view;
+    Tolerances& tolerances = words.plan.tolerances;
+    command.add_option("set", words.set, "folder or manifest of a texture set")->required();
+    command.add_option("--recipe", words.recipe,
+                       "TOML file whose table [validate] holds any of the options below");
+
+    auto* files = command.add_option_group("Files");
+    files->add_option("--inputs", words.inputs,
+                      "folders with the files the set was baked from [beside the set, the current "
+                      "folder]");
+    files->add_option("--ocio-config", words.ocio_config,
+                      "OpenColorIO config of the bake, where it named one");
+    files->add_option("--report", words.report,
+                      "writes an HTML page with tables, charts, pictures");
+    files->add_option("--json", words.json, "writes all figures as JSON; - for the terminal");
+
+    auto* views = command.add_option_group("Views");
+    views->add_flag("--statistics-only", words.statistics_only,
+                    "compare the statistics, cast no rays");
+    views->add_option("--view-angles", view.angles_deg, "degrees from the normal")
+        ->delimiter(',')
+        ->check(CLI::Range(0.0, 89.0))
+        ->capture_default_str();
+    views->add_option("--azimuths", view.azimuths, "of each angle")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    views
+        ->add_option("--light", words.light,
+                     "one light instead of three: degrees from the normal, and from +s (right) "
+                     "towards +t (down)")
+        ->expected(2)
+        ->option_text("ANGLE AZIMUTH");
+    views->add_option("--footprints", view.footprints, "of each level")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    views->add_option("--samples", view.grid, "along each side of a footprint: 32 is 32x32")
+        ->check(CLI::Range(2, 1024))
+        ->capture_default_str();
+    views->add_option("--seed", view.seed, "of the samples")->capture_default_str();
+    views->add_option("--base-alpha", view.material.base_alpha, "Beckmann roughness of a facet")
+        ->check(CLI::Range(0.001, 1.0))
+        ->capture_default_str();
+    views->add_option("--f0", view.material.f0, "share of the light that a facet mirrors")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+
+    auto* limits = command.add_option_group("Tolerances");
+    limits
+        ->add_option("--statistics-tolerance", tolerances.statistics,
+                     "of the statistics, in multiples of what storage explains")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    const char* relative = "rms error, relative, of the worst view angle [not judged]";
+    limits->add_option("--color-tolerance", tolerances.color, relative)->check(CLI::PositiveNumber);
+    limits->add_option("--radiance-tolerance", tolerances.radiance, relative)
+        ->check(CLI::PositiveNumber);
+    limits
+        ->add_option("--masking-tolerance", tolerances.masking,
+                     "rms error of G1 of the worst view angle [not judged]")
+        ->check(CLI::PositiveNumber);
+    limits
+        ->add_option("--slope-tolerance", tolerances.slope,
+                     "rms error of the visible slope over the map's rms slope [not judged]")
+        ->check(CLI::PositiveNumber);
+    limits
+        ->add_option("--covariance-tolerance", tolerances.covariance,
+                     "rms error of its covariance over the square of that [not judged]")
+        ->check(CLI::PositiveNumber);
+
+    auto* running = command.add_option_group("Running");
+    running->add_option("--threads", words.threads, "number of threads [all]")
+        ->check(CLI::NonNegativeNumber);
+    running->add_flag("--quiet", words.quiet,
+                      "no progress, no tables; the exit status says it all");
+}
+
+void print(const Validation& validation, const Manifest& manifest)
+{
+    fmt::print("{}: {}x{}, {} levels\n\n", manifest.name, manifest.width, manifest.height,
+               manifest.levels.size());
+    fmt::print("{}\n", to_text(statistics_table(validation.statistics)));
+    if (validation.views) {
+        const ViewCheck& views = *validation.views;
+        fmt::print("{}\n", to_text(view_table(views)));
+        const report::Table models = model_table(views);
+        if (!models.rows.empty())
+            fmt::print("{}\n", to_text(models));
+        fmt::print("reference: {} samples, {} rays in {:.1f} s, {:.2f} million samples a second\n",
+                   views.samples, views.rays, views.seconds,
+                   static_cast<double>(views.samples) / views.seconds / 1e6);
+    }
+    for (const std::string& flag : validation.flags)
+        fmt::print("note: {}\n", flag);
+}
+
+Validation validated(const ValidateWords& words, SetReader& set)
+{
+    const Manifest& manifest = set.manifest();
+    const InputFiles files = find_inputs(manifest, words.set, words.inputs);
+    BakeOptions options = options_of_manifest(manifest, files);
+    options.ocio_config = words.ocio_config;
+    note_for_supervisor({files.height.string(), files.color.string(), files.colormap.string()}, "");
+
+    Progress progress(words.quiet);
+    BakeMonitor monitor;
+    monitor.progress = [&progress](const char* phase, double done) { progress.show(phase, done); };
+    monitor.cancel = &stop_asked();
+    const Original original = read_original(options, monitor);
+    ValidationPlan plan = words.plan;
+    plan.views = !words.statistics_only;
+    plan.images = !words.report.empty();
+    return validate(set, original, options, plan, monitor);
+}
+
+void run(CLI::App& command, ValidateWords& words)
+{
+    if (!words.recipe.empty())
+        apply_validate_table(command, words.recipe, kPathKeys);
+    if (!words.light.empty())
+        words.plan.view.lights_deg = {{words.light[0], words.light[1]}};
+    const ThreadLimit limit(words.threads);
+    SetReader set(words.set);
+    const Validation validation = validated(words, set);
+    if (!words.report.empty())
+        write_text(to_page(validation, words.plan, set.manifest()), words.report);
+    const std::string json = to_json(validation, words.plan, set.manifest());
+    if (words.json == "-")
+        fmt::print("{}", json);
+    else if (!words.json.empty())
+        write_text(json, words.json);
+    if (!words.quiet && words.json != "-")
+        print(validation, set.manifest());
+    if (!validation.exceeded.empty()) {
+        std::string all;
+        for (const std::string& what : validation.exceeded)
+            all += (all.empty() ? "" : "; ") + what;
+        throw Error(fmt::format("{}: out of tolerance: {}", words.set.string(), all));
+    }
+}
+
+} // namespace
+
+void add_validate(CLI::App& app)
+{
+    auto words = std::make_shared<ValidateWords>();
+    auto* command = app.add_subcommand(
+        "validate", "compare a set with the surface it was baked from, by brute force");
+    add_options(*command, *words);
+    command->footer("Examples:\n"
+                    "  scree validate rock.set --inputs textures --report rock.html\n"
+                    "  scree validate rock.set --statistics-only --quiet && echo good");
+    command->callback([command, words] { run(*command, *words); });
+}
+
+} // namespace scree::tool

@@ -1,0 +1,98 @@
+#include "judge/validation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "judge/asset_flags.h"
+
+namespace scree {
+
+namespace {
+
+/// Views that are drawn, degrees from the normal, and the longer side of the pictures, texels.
+constexpr std::array<double, 2> kDrawnAngles{60, 80};
+constexpr int kPictureSide = 64;
+
+bool has(const Manifest& manifest, Map map)
+{
+    return std::any_of(manifest.textures.begin(), manifest.textures.end(),
+                       [map](const TextureRecord& texture) { return texture.map == map; });
+}
+
+/// What is left of an error without the reference's own noise.
+double own_error(const ViewError& error)
+{
+    return std::sqrt(std::max(error.set * error.set - error.noise * error.noise, 0.0));
+}
+
+void judge(const ViewCheck& check, const char* name, ViewError ViewErrors::*figure,
+           const std::optional<double>& tolerance, std::vector<std::string>& exceeded)
+{
+    if (!tolerance)
+        return;
+    for (const ViewErrors& errors : check.all) {
+        const double error = own_error(errors.*figure);
+        if (errors.angle_deg >= 0 && error > *tolerance)
+            exceeded.push_back(fmt::format("{} at {:g} degrees: rms error {:.4f}, tolerance {:g}",
+                                           name, errors.angle_deg, error, *tolerance));
+    }
+}
+
+void judge(const ViewCheck& check, const Tolerances& tolerances, std::vector<std::string>& exceeded)
+{
+    judge(check, "visible color", &ViewErrors::color, tolerances.color, exceeded);
+    judge(check, "radiance", &ViewErrors::radiance, tolerances.radiance, exceeded);
+    judge(check, "masking", &ViewErrors::masking, tolerances.masking, exceeded);
+    judge(check, "visible slope", &ViewErrors::slope, tolerances.slope, exceeded);
+    judge(check, "covariance of the visible slopes", &ViewErrors::covariance, tolerances.covariance,
+          exceeded);
+}
+
+void judge(const std::vector<StatisticsFigure>& figures, double scale,
+           std::vector<std::string>& exceeded)
+{
+    for (const StatisticsFigure& figure : figures)
+        if (!(figure.largest <= figure.tolerance * scale))
+            exceeded.push_back(fmt::format(
+                "{} of level {}: error {:.2e} at texel ({}, {}), tolerance {:.2e}", figure.name,
+                figure.level, figure.largest, figure.x, figure.y, figure.tolerance * scale));
+}
+
+std::function<void(double)> told(const BakeMonitor& monitor, const char* phase)
+{
+    return [&monitor, phase](double done) { monitor.report(phase, done); };
+}
+
+} // namespace
+
+Validation validate(SetReader& set, const Original& original, const BakeOptions& options,
+                    const ValidationPlan& plan, const BakeMonitor& monitor)
+{
+    const Manifest& manifest = set.manifest();
+    Validation found;
+    found.statistics =
+        check_statistics(set, original, options, told(monitor, "compare the statistics"));
+    judge(found.statistics, plan.tolerances.statistics, found.exceeded);
+    found.flags = asset_flags(manifest, original);
+    if (!plan.views || original.relief.heights.empty() || !has(manifest, Map::slope))
+        return found;
+
+    reference::Relief relief = original.relief;
+    if (!has(manifest, Map::color))
+        relief.colors.clear(); // the set shows white, so must the reference
+    const reference::DisplacedSurface surface(std::move(relief));
+    found.views = check_views(set, surface, plan.view, told(monitor, "compare what views see"));
+    judge(*found.views, plan.tolerances, found.exceeded);
+    if (plan.images)
+        for (const double angle : kDrawnAngles)
+            found.images.push_back(draw_texels(set, surface, level_to_draw(manifest, kPictureSide),
+                                               direction(angle, 0), lights_of(plan.view).front(),
+                                               plan.view.material, plan.view.grid / 2,
+                                               told(monitor, "draw")));
+    return found;
+}
+
+} // namespace scree

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "judge/original.h"
+#include "judge/set_reader.h"
+#include "judge/statistics_check.h"
+#include "judge/texel_images.h"
+#include "judge/view_check.h"
+
+namespace scree {
+
+/// Errors above which a set is out of tolerance; absent: reported, not judged.
+///
+/// Statistics are judged by StatisticsFigure::tolerance, times `statistics`. The others are
+/// ViewErrors over all levels, of the worst angle, with the reference's noise taken off.
+struct Tolerances {
+    double statistics = 1;
+    std::optional<double> color, radiance, masking, slope, covariance;
+};
+
+/// What to validate a set with.
+struct ValidationPlan {
+    bool views = true;  ///< compare with the reference, where there are heights and colors
+    bool images = true; ///< draw a level, for a page
+    ViewPlan view;
+    Tolerances tolerances;
+};
+
+/// What came of it.
+struct Validation {
+    std::vector<StatisticsFigure> statistics;
+    std::optional<ViewCheck> views; ///< absent: not asked for, or there are no heights
+    std::vector<TexelImages> images;
+    std::vector<std::string> flags;    ///< what about the asset no model shows well
+    std::vector<std::string> exceeded; ///< tolerances; empty: the set is valid
+};
+
+/// Compares a set with the surface it was baked from.
+///
+/// Throws Error where the set cannot be read or is not of that surface's size, Cancelled when asked
+/// to stop.
+Validation validate(SetReader& set, const Original& original, const BakeOptions& options,
+                    const ValidationPlan& plan, const BakeMonitor& monitor);
+
+} // namespace scree
