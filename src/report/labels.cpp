@@ -73,7 +73,11 @@ public:
             for (size_t i = 0; i < chosen_.size(); ++i)
                 moved = choose(i) || moved;
         }
-        return chosen_;
+        std::vector<std::optional<Box>> boxes(chosen_.size());
+        for (size_t i = 0; i < boxes.size(); ++i)
+            if (chosen_[i] != nullptr)
+                boxes[i] = chosen_[i]->box;
+        return boxes;
     }
 
 private:
@@ -130,7 +134,7 @@ private:
     [[nodiscard]] bool is_free(size_t label, const Box& box) const
     {
         for (size_t i = 0; i < chosen_.size(); ++i)
-            if (i != label && chosen_[i] && overlap(box, *chosen_[i]) > 0)
+            if (i != label && chosen_[i] != nullptr && overlap(box, chosen_[i]->box) > 0)
                 return false;
         return true;
     }
@@ -142,10 +146,9 @@ private:
         for (const auto& candidate : candidates_[label])
             if ((best == nullptr || candidate.cost < best->cost) && is_free(label, candidate.box))
                 best = &candidate;
-        const std::optional<Box> before = chosen_[label];
-        chosen_[label] = best != nullptr ? std::optional<Box>(best->box) : std::nullopt;
-        return chosen_[label].has_value() != before.has_value() ||
-               (before && (before->x0 != best->box.x0 || before->y0 != best->box.y0));
+        const bool moved = best != chosen_[label];
+        chosen_[label] = best;
+        return moved;
     }
 
     const std::vector<Spot>& points_;
@@ -153,7 +156,7 @@ private:
     const std::vector<Stroke>& strokes_;
     Box frame_;
     std::vector<std::vector<Candidate>> candidates_;
-    std::vector<std::optional<Box>> chosen_;
+    std::vector<const Candidate*> chosen_; ///< of each label; null: none
 };
 
 } // namespace

@@ -40,15 +40,18 @@ Legend::Legend(const Chart& chart, double width) : chart_(chart), width_(width)
 
 double Legend::height() const
 {
-    return static_cast<double>((entries_.size() + per_row_ - 1) / per_row_) * kRow;
+    const size_t rows = (entries_.size() + per_row_ - 1) / per_row_;
+    return static_cast<double>(rows) * kRow;
 }
 
 std::string Legend::draw(const Spot& corner) const
 {
     std::string svg;
-    for (size_t i = 0; i < entries_.size(); ++i)
-        svg += entry(entries_[i], {corner.x + static_cast<double>(i % per_row_) * column_,
-                                   corner.y + (static_cast<double>(i / per_row_) + 0.5) * kRow});
+    for (size_t i = 0; i < entries_.size(); ++i) {
+        const size_t row = i / per_row_, column = i % per_row_;
+        svg += entry(entries_[i], {corner.x + static_cast<double>(column) * column_,
+                                   corner.y + (static_cast<double>(row) + 0.5) * kRow});
+    }
     return svg;
 }
 

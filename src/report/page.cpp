@@ -93,9 +93,9 @@ void Page::add(const std::vector<PageImage>& images)
     body_ += "<div class=\"pictures\">\n";
     for (const auto& image : images) {
         const std::string caption = escaped(image.caption);
-        body_ += "<figure><img alt=\"" + caption + "\"" + shown_size(image.png) +
-                 " src=\"data:image/png;base64," + base64(image.png) + "\"/><figcaption>" +
-                 caption + "</figcaption></figure>\n";
+        body_ += "<figure><img alt=\"" + caption + "\"" + shown_size(image.png);
+        body_ += " src=\"data:image/png;base64," + base64(image.png);
+        body_ += "\"/><figcaption>" + caption + "</figcaption></figure>\n";
     }
     body_ += "</div>\n";
 }

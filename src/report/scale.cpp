@@ -91,9 +91,10 @@ void Scale::make_linear(double low, double high, int steps)
     high_ = high <= 0 && high > low / 2 ? 0 : high + room;
     const Step step = round_step(high_ - low_, steps);
     const bool is_plain = step.exponent >= -kPlainDecimals && size < kPlainBelow;
-    const double last = std::floor(high_ / step.size + kNear);
-    for (double i = std::ceil(low_ / step.size - kNear); i <= last; ++i) {
-        const double value = i * step.size;
+    const double first = std::ceil(low_ / step.size - kNear);
+    const int count = static_cast<int>(std::floor(high_ / step.size + kNear) - first) + 1;
+    for (int i = 0; i < count; ++i) {
+        const double value = (first + i) * step.size;
         ticks_.push_back(
             {place(value), is_plain ? grouped(value, std::max(0, -step.exponent)) : brief(value)});
     }
@@ -101,8 +102,8 @@ void Scale::make_linear(double low, double high, int steps)
 
 void Scale::make_logarithmic(double low, double high, int steps)
 {
-    constexpr double kManyDecades = 9; // small marks would run together
-    const double room = kRoom * std::max(high - low, 1.0);
+    constexpr double kManyDecades = 9;                         // small marks would run together
+    const double room = kRoom / 2 * std::max(high - low, 1.0); // rounding gives more
     low_ = round_decade(low - room, false);
     high_ = round_decade(high + room, true);
     const double decades = high_ - low_;

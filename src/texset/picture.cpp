@@ -36,26 +36,30 @@ std::vector<uint8_t> srgb_bytes(const Picture& picture)
     return bytes;
 }
 
-OIIO::ImageSpec spec_of(const Picture& picture, OIIO::TypeDesc type)
+OIIO::ImageSpec spec_of(const Picture& picture, OIIO::TypeDesc::BASETYPE type)
 {
     OIIO::ImageSpec spec(picture.width, picture.height, 3, type);
     spec.attribute("DateTime", ""); // else OpenImageIO writes the time: equal pictures, other bytes
     return spec;
 }
 
-OIIO::ImageSpec srgb_spec(const Picture& picture)
-{
-    OIIO::ImageSpec spec = spec_of(picture, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    return spec;
-}
-
-bool holds_light(const std::filesystem::path& file)
+std::string lower_case_ending(const std::filesystem::path& file)
 {
     std::string ending = file.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == ".exr" || ending == ".hdr";
+    return ending;
+}
+
+OIIO::ImageSpec srgb_spec(const Picture& picture, const std::string& ending)
+{
+    OIIO::ImageSpec spec = spec_of(picture, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    if (ending == ".jpg" || ending == ".jpeg") { // TIFF would take it as a wish too
+        spec.attribute("Compression", "jpeg:95");
+        spec.attribute("jpeg:subsampling", "4:4:4");
+    }
+    return spec;
 }
 
 bool write_pixels(OIIO::ImageOutput& out, const Picture& picture, bool as_light)
@@ -84,7 +88,8 @@ std::vector<uint8_t> png_bytes(const Picture& picture)
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const auto out = OIIO::ImageOutput::create("png");
-    if (!out || !out->set_ioproxy(&memory) || !out->open("picture.png", srgb_spec(picture)) ||
+    if (!out || !out->set_ioproxy(&memory) ||
+        !out->open("picture.png", srgb_spec(picture, ".png")) ||
         !write_pixels(*out, picture, false) || !out->close())
         throw Error(fmt::format("a {}x{} picture cannot be made into a PNG: {}", picture.width,
                                 picture.height, out ? out->geterror() : OIIO::geterror()));
@@ -93,18 +98,24 @@ std::vector<uint8_t> png_bytes(const Picture& picture)
 
 void write_picture(const Picture& picture, const std::filesystem::path& file)
 {
-    const PartialFile partial{file.parent_path() / fmt::format(".{}.scree-{}{}",
-                                                               file.stem().string(), getpid(),
-                                                               file.extension().string())};
-    auto fail = [&file](const std::string& why) {
+    const std::filesystem::path folder = file.parent_path();
+    const std::string ending = lower_case_ending(file);
+    const PartialFile partial{
+        folder / fmt::format(".{}.scree-{}{}", file.stem().string(), getpid(), ending)};
+    auto fail = [&](std::string why) {
+        const size_t at = why.find(partial.path.string());
+        if (at != std::string::npos)
+            why.replace(at, partial.path.string().size(), file.string());
         throw Error(fmt::format("{}: cannot be written: {}", file.string(), why));
     };
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+        fail(fmt::format("there is no folder {}", folder.string()));
     const auto out = OIIO::ImageOutput::create(partial.path.string());
     if (!out)
-        fail(OIIO::geterror());
-    const bool as_light = holds_light(file);
+        fail("no picture format has this ending; use .png, .jpg or .exr");
+    const bool as_light = ending == ".exr" || ending == ".hdr";
     const OIIO::ImageSpec spec =
-        as_light ? spec_of(picture, OIIO::TypeDesc::FLOAT) : srgb_spec(picture);
+        as_light ? spec_of(picture, OIIO::TypeDesc::FLOAT) : srgb_spec(picture, ending);
     if (!out->open(partial.path.string(), spec) || !write_pixels(*out, picture, as_light) ||
         !out->close())
         fail(out->geterror());
