@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kBlockCells = 8; // along each axis
 
-constexpr float kUlp = 0x1p-24F; // rounding of a float of 1
+constexpr double kRounding = 0x1p-24; // of a number to float, relative
 
 struct Bounds {
     double low, high;
@@ -38,14 +38,33 @@ Bounds bounds_of(const NodeGrid& grid, const CellBlock& block)
 
 /// What the callbacks know of a ray, beside what Embree does.
 struct RayContext : RTCIntersectContext {
-    const GridRay* ray = nullptr;
-    Span span;
-    double nearest = std::numeric_limits<double>::infinity();
+    RayContext(const GridRay& of, double length) : ray(of), end(length)
+    {
+        rtcInitIntersectContext(this);
+    }
+
+    const GridRay& ray;
+    double end; ///< of the part that is asked for, in steps; the nearest meeting once there is one
+    bool met = false;
 };
 
-float above(double value)
+/// A float that is not less.
+float not_below(double value)
 {
     return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
+}
+
+/// Whether a ray is that much below the surface over a part of a cell.
+bool is_below_in_cell(const NodeGrid& grid, int i, int j, const GridRay& ray, double from,
+                      double to)
+{
+    // Most cells lie below the ray altogether; with a NaN among them either way leads to false.
+    const double* upper = grid.row(j) + i;
+    const double* lower = grid.row(j + 1) + i;
+    const double highest = std::max(std::max(upper[0], upper[1]), std::max(lower[0], lower[1]));
+    if (std::min(ray.z_at(from), ray.z_at(to)) > highest)
+        return false;
+    return clearance(grid, i, j, ray, from).least(to - from) < -grid.tolerance();
 }
 
 } // namespace
@@ -53,8 +72,8 @@ float above(double value)
 struct BlockScene::Embree {
     const NodeGrid* grid = nullptr;
     std::vector<CellBlock> blocks;
-    float height_scale = 1; ///< of heights in float, so that they lie in [0, 1]
-    float margin_xy = 0, margin_z = 0;
+    double height_scale = 1; ///< what makes heights lie in [0, 1]
+    double margin_xy = 0, margin_z = 0;
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     std::string refusal;
@@ -62,10 +81,12 @@ struct BlockScene::Embree {
     explicit Embree(const NodeGrid& of) : grid(&of)
     {
         if (grid->range() > 0)
-            height_scale = static_cast<float>(1 / grid->range());
-        // Origin, direction and box are rounded once each, positions along the ray once more.
-        margin_xy = 8 * kUlp * static_cast<float>(std::max(grid->columns(), grid->rows()));
-        margin_z = 8 * kUlp;
+            height_scale = 1 / grid->range();
+        // Origin and direction are rounded once, and so is the box: at any step the ray that Embree
+        // has is within 2 such errors of the true one. Embree's own rounding is met by its flag
+        // RTC_SCENE_FLAG_ROBUST.
+        margin_xy = 8 * kRounding * std::max(grid->columns(), grid->rows());
+        margin_z = 8 * kRounding;
     }
     ~Embree()
     {
@@ -78,7 +99,7 @@ struct BlockScene::Embree {
     void find_blocks();
     void build();
     void check() const;
-    RTCRay float_ray(const GridRay& ray, Span span) const;
+    RTCRay float_ray(const GridRay& ray, double length) const;
 
     static void on_error(void* self, RTCError, const char* what);
     static void bounds(const RTCBoundsFunctionArguments* args);
@@ -112,6 +133,7 @@ void BlockScene::Embree::find_blocks()
 
 void BlockScene::Embree::build()
 {
+    // No limit of threads: Embree would set it for all of the process; it shares TBB's anyway.
     device = rtcNewDevice(nullptr);
     if (device == nullptr)
         throw Error("ray casting: Embree does not start; it needs a processor with SSE2");
@@ -138,25 +160,23 @@ void BlockScene::Embree::bounds(const RTCBoundsFunctionArguments* args)
     const CellBlock& block = self.blocks[args->primID];
     const Bounds height = bounds_of(*self.grid, block);
     RTCBounds& box = *args->bounds_o;
-    box.lower_x = static_cast<float>(block.first_i) - self.margin_xy;
-    box.lower_y = static_cast<float>(block.first_j) - self.margin_xy;
-    box.lower_z = static_cast<float>(height.low) * self.height_scale - self.margin_z;
-    box.upper_x = static_cast<float>(block.end_i) + self.margin_xy;
-    box.upper_y = static_cast<float>(block.end_j) + self.margin_xy;
-    box.upper_z = static_cast<float>(height.high) * self.height_scale + self.margin_z;
+    box.lower_x = static_cast<float>(block.first_i - self.margin_xy);
+    box.lower_y = static_cast<float>(block.first_j - self.margin_xy);
+    box.lower_z = static_cast<float>(height.low * self.height_scale - self.margin_z);
+    box.upper_x = static_cast<float>(block.end_i + self.margin_xy);
+    box.upper_y = static_cast<float>(block.end_j + self.margin_xy);
+    box.upper_z = static_cast<float>(height.high * self.height_scale + self.margin_z);
 }
 
 void BlockScene::Embree::occluded(const RTCOccludedFunctionNArguments* args)
 {
     const auto& self = *static_cast<const Embree*>(args->geometryUserPtr);
     const auto& context = *static_cast<const RayContext*>(args->context);
-    const GridRay& ray = *context.ray;
-    const double limit = -self.grid->tolerance();
-    const bool below = march(
-        self.blocks[args->primID], ray, context.span, [&](int i, int j, double from, double to) {
-            return clearance(*self.grid, i, j, ray, from).least(to - from) < limit;
-        });
-    if (below) // Embree's sign for it
+    auto is_below = [&](int i, int j, double from, double to) {
+        return is_below_in_cell(*self.grid, i, j, context.ray, from, to);
+    };
+    if (march(self.blocks[args->primID], context.ray, context.end,
+              is_below)) // Embree's sign for it
         reinterpret_cast<RTCRay*>(args->ray)->tfar = -std::numeric_limits<float>::infinity();
 }
 
@@ -164,31 +184,29 @@ void BlockScene::Embree::intersect(const RTCIntersectFunctionNArguments* args)
 {
     const auto& self = *static_cast<const Embree*>(args->geometryUserPtr);
     auto& context = *static_cast<RayContext*>(args->context);
-    const GridRay& ray = *context.ray;
-    const bool met = march(self.blocks[args->primID], ray,
-                           {context.span.from, std::min(context.span.to, context.nearest)},
-                           [&](int i, int j, double from, double to) {
-                               const auto zero = clearance(*self.grid, i, j, ray, from)
-                                                     .first_zero(to - from, self.grid->tolerance());
-                               if (zero)
-                                   context.nearest = from + *zero;
-                               return zero.has_value();
-                           });
-    if (met)
-        reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar = above(context.nearest);
+    auto meets = [&](int i, int j, double from, double to) {
+        const auto zero = clearance(*self.grid, i, j, context.ray, from)
+                              .first_zero(to - from, self.grid->tolerance());
+        if (zero) {
+            context.end = from + *zero;
+            context.met = true;
+        }
+        return zero.has_value();
+    };
+    if (march(self.blocks[args->primID], context.ray, context.end, meets))
+        reinterpret_cast<RTCRayHit*>(args->rayhit)->ray.tfar = not_below(context.end);
 }
 
-RTCRay BlockScene::Embree::float_ray(const GridRay& ray, Span span) const
+RTCRay BlockScene::Embree::float_ray(const GridRay& ray, double length) const
 {
     RTCRay out{};
     out.org_x = static_cast<float>(ray.x);
     out.org_y = static_cast<float>(ray.y);
-    out.org_z = static_cast<float>(ray.z) * height_scale;
+    out.org_z = static_cast<float>(ray.z * height_scale);
     out.dir_x = static_cast<float>(ray.dx);
     out.dir_y = static_cast<float>(ray.dy);
-    out.dir_z = static_cast<float>(ray.dz) * height_scale;
-    out.tnear = static_cast<float>(span.from) * (1 - 2 * kUlp);
-    out.tfar = above(span.to);
+    out.dir_z = static_cast<float>(ray.dz * height_scale);
+    out.tfar = not_below(length);
     out.mask = ~0U;
     return out;
 }
@@ -201,29 +219,23 @@ BlockScene::BlockScene(const NodeGrid& grid) : embree_(std::make_unique<Embree>(
 
 BlockScene::~BlockScene() = default;
 
-bool BlockScene::is_below(const GridRay& ray, Span span) const
+bool BlockScene::is_below(const GridRay& ray, double length) const
 {
-    RayContext context;
-    rtcInitIntersectContext(&context);
-    context.ray = &ray;
-    context.span = span;
-    RTCRay cast = embree_->float_ray(ray, span);
+    RayContext context(ray, length);
+    RTCRay cast = embree_->float_ray(ray, length);
     rtcOccluded1(embree_->scene, &context, &cast);
     return cast.tfar < 0;
 }
 
-std::optional<double> BlockScene::first_meeting(const GridRay& ray, Span span) const
+std::optional<double> BlockScene::first_meeting(const GridRay& ray, double length) const
 {
-    RayContext context;
-    rtcInitIntersectContext(&context);
-    context.ray = &ray;
-    context.span = span;
+    RayContext context(ray, length);
     RTCRayHit cast{};
-    cast.ray = embree_->float_ray(ray, span);
+    cast.ray = embree_->float_ray(ray, length);
     cast.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(embree_->scene, &context, &cast);
-    if (context.nearest <= span.to)
-        return context.nearest;
+    if (context.met)
+        return context.end;
     return {};
 }
 

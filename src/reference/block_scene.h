@@ -21,11 +21,13 @@ public:
     BlockScene(const BlockScene&) = delete;
     BlockScene& operator=(const BlockScene&) = delete;
 
-    /// Whether the ray is more than the grid's tolerance below the surface anywhere in the span.
-    [[nodiscard]] bool is_below(const GridRay& ray, Span span) const;
+    /// Whether the ray lies more than the grid's tolerance below the surface anywhere in its first
+    /// `length` steps.
+    [[nodiscard]] bool is_below(const GridRay& ray, double length) const;
 
-    /// The first step of the span at which the ray meets the surface, within the tolerance.
-    [[nodiscard]] std::optional<double> first_meeting(const GridRay& ray, Span span) const;
+    /// The first of these steps at which the ray meets the surface, from above or below: the two
+    /// are within the grid's tolerance of each other, or change sides.
+    [[nodiscard]] std::optional<double> first_meeting(const GridRay& ray, double length) const;
 
 private:
     struct Embree;

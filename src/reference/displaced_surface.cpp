@@ -43,12 +43,12 @@ struct DisplacedSurface::Scene {
     /// World units in a step of ray(), for a unit vector w.
     double step_length(const Vec3& w) const;
 
-    /// Follows a ray through the images of the relief, span by span, until meets(ray, span) returns
-    /// true; returns whether it did.
+    /// Follows a ray from inside through the images of the relief, part by part, until
+    /// meets(part, length) returns true.
     ///
-    /// distance  gets the steps from the first span's zero to the last's
+    /// returns the steps to the beginning of that part; nothing if there is none
     template <class Meets>
-    bool follow(GridRay& ray, Span span, double& distance, const Meets& meets) const;
+    std::optional<double> follow(GridRay ray, double length, const Meets& meets) const;
 };
 
 double DisplacedSurface::Scene::step_length(const Vec3& w) const
@@ -66,20 +66,19 @@ GridRay DisplacedSurface::Scene::ray(double x, double y, double z, const Vec3& w
 }
 
 template <class Meets>
-bool DisplacedSurface::Scene::follow(GridRay& ray, Span span, double& distance,
-                                     const Meets& meets) const
+std::optional<double> DisplacedSurface::Scene::follow(GridRay ray, double length,
+                                                      const Meets& meets) const
 {
-    distance = 0;
+    double done = 0;
     for (long image = 0; image < kMostImages; ++image) {
         const double leaves = tiling.leaves(ray);
-        if (meets(ray, Span{span.from, std::min(span.to, leaves)}))
-            return true;
-        if (span.to <= leaves || !tiling.go_on(ray))
-            return false;
-        distance += leaves;
-        span = {0, span.to - leaves};
+        if (meets(ray, std::min(leaves, length - done)))
+            return done;
+        done += leaves;
+        if (done >= length || !tiling.go_on(ray))
+            break;
     }
-    return false;
+    return {};
 }
 
 DisplacedSurface::DisplacedSurface(Relief relief)
@@ -127,49 +126,47 @@ bool DisplacedSurface::is_open(double s, double t, const Vec3& w) const
     const double z = patch_at(scene_->grid, column, row, x, y).height;
     if (z >= scene_->grid.range())
         return true;
-    GridRay ray = scene_->ray(x, y, z, w);
-    double distance = 0;
-    return !scene_->follow(
-        ray, {0, (scene_->grid.range() - z) / ray.dz}, distance,
-        [&](const GridRay& part, Span span) { return scene_->blocks.is_below(part, span); });
+    const GridRay ray = scene_->ray(x, y, z, w);
+    const double rises_clear = (scene_->grid.range() - z) / ray.dz;
+    return !scene_->follow(ray, rises_clear, [&](const GridRay& part, double length) {
+        return scene_->blocks.is_below(part, length);
+    });
 }
 
 std::optional<SurfaceHit> DisplacedSurface::hit(const Vec3& origin, const Vec3& direction) const
 {
+    const Relief& relief = scene_->relief;
     const NodeGrid& grid = scene_->grid;
-    GridRay ray = scene_->ray(origin.x / scene_->relief.texel_width + kFromCentre,
-                              origin.y / scene_->relief.texel_height + kFromCentre,
-                              origin.z - grid.base(), direction);
-    // Only between the lowest and the highest is there anything to meet.
-    Span span =
-        clipped({0, std::numeric_limits<double>::infinity()}, 0, grid.range(), ray.z, ray.dz);
+    GridRay ray = scene_->ray(origin.x / relief.texel_width + kFromCentre,
+                              origin.y / relief.texel_height + kFromCentre, origin.z - grid.base(),
+                              direction);
+    // There is nothing to meet but between the lowest and the highest.
+    Span span{0, std::numeric_limits<double>::infinity()};
+    span = RayAxis(ray.z, ray.dz).within(0, grid.range(), span);
+    span = scene_->tiling.inside(ray, span);
     if (!(span.from <= span.to))
         return {};
-    const double approach = span.from;
-    if (approach > 0) {
-        ray.advance(approach);
-        ray.z = std::clamp(ray.z, 0.0, grid.range());
-        span = {0, span.to - approach};
-    }
-    const auto enters = scene_->tiling.enter(ray);
-    if (!enters)
-        return {};
-    span.from = *enters;
-    double met = 0, distance = 0;
-    const bool meets =
-        scene_->follow(ray, span, distance, [&](const GridRay& part, Span part_span) {
-            const auto first = scene_->blocks.first_meeting(part, part_span);
-            met = first.value_or(0);
-            return first.has_value();
+    ray.advance(span.from);
+    ray.z = std::clamp(ray.z, 0.0, grid.range());
+    scene_->tiling.fold(ray);
+
+    SurfaceHit hit;
+    const auto before =
+        scene_->follow(ray, span.to - span.from, [&](const GridRay& part, double length) {
+            const auto met = scene_->blocks.first_meeting(part, length);
+            if (met)
+                hit = {part.x_at(*met) - kFromCentre, part.y_at(*met) - kFromCentre, *met};
+            return met.has_value();
         });
-    if (!meets)
+    if (!before)
         return {};
-    auto inside = [](double place, int size) { // [0, size)
+    auto below = [](double place, int size) { // [0, size)
         return std::clamp(place, 0.0, std::nextafter(static_cast<double>(size), 0.0));
     };
-    return SurfaceHit{inside(ray.x_at(met) - kFromCentre, scene_->relief.width),
-                      inside(ray.y_at(met) - kFromCentre, scene_->relief.height),
-                      (approach + distance + met) * scene_->step_length(direction)};
+    hit.s = below(hit.s, relief.width);
+    hit.t = below(hit.t, relief.height);
+    hit.distance = (span.from + *before + hit.distance) * scene_->step_length(direction);
+    return hit;
 }
 
 } // namespace scree::reference

@@ -17,7 +17,7 @@ constexpr double kTwoPi = 6.28318530717958647693;
 
 /// What a pair of view and light asks of each sample.
 struct HalfVector {
-    Vec2 slope{0, 0};       ///< of the facet that mirrors the light into the view
+    Vec2 slope{0, 0}; ///< of the facet that mirrors the light into the view
     double scale = 0; ///< 1 / (4 h.z^4) times the peak of the facets' slope density
 };
 

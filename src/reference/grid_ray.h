@@ -33,20 +33,35 @@ struct Span {
     double from = 0, to = 0;
 };
 
-/// The step at which one coordinate reaches a place; infinity where it never moves.
-inline double step_to(double place, double origin, double direction)
-{
-    return direction != 0 ? (place - origin) / direction : std::numeric_limits<double>::infinity();
-}
+/// One coordinate of a ray.
+class RayAxis {
+public:
+    RayAxis(double origin, double direction)
+        : origin_(origin), direction_(direction), inverse_(1 / direction)
+    {}
 
-/// The part of a span in which one coordinate lies in [low, high].
-inline Span clipped(Span span, double low, double high, double origin, double direction)
-{
-    if (direction == 0)
-        return origin >= low && origin <= high ? span : Span{1, 0};
-    const double a = (low - origin) / direction, b = (high - origin) / direction;
-    return {std::max(span.from, std::min(a, b)), std::min(span.to, std::max(a, b))};
-}
+    [[nodiscard]] bool forward() const { return direction_ > 0; }
+
+    /// The step at which it reaches a place; infinity where it never moves.
+    [[nodiscard]] double step_to(double place) const
+    {
+        return direction_ != 0 ? (place - origin_) * inverse_
+                               : std::numeric_limits<double>::infinity();
+    }
+
+    /// The part of a span in which it lies in [low, high].
+    [[nodiscard]] Span within(double low, double high, Span span) const
+    {
+        if (direction_ == 0)
+            return origin_ >= low && origin_ <= high ? span : Span{1, 0};
+        const double enters = step_to(forward() ? low : high);
+        const double leaves = step_to(forward() ? high : low);
+        return {std::max(span.from, enters), std::min(span.to, leaves)};
+    }
+
+private:
+    double origin_, direction_, inverse_;
+};
 
 /// Height of a ray above a bilinear cell, by steps from where it was taken: a parabola.
 struct Clearance {
@@ -90,15 +105,17 @@ struct CellBlock {
     int first_i, first_j, end_i, end_j;
 };
 
-/// Visits the cells of a block under a part of a ray, in its order, until visit(i, j, from, to)
-/// returns true; returns whether it did.
+/// Visits the cells of a block under the first `length` steps of a ray, in its order, until
+/// visit(i, j, from, to) returns true; returns whether it did.
 ///
 /// Each cell gets the part of the ray over it, to rounding; the parts leave no gap between them.
 template <class Visit>
-bool march(const CellBlock& block, const GridRay& ray, Span span, const Visit& visit)
+bool march(const CellBlock& block, const GridRay& ray, double length, const Visit& visit)
 {
-    span = clipped(span, block.first_i, block.end_i, ray.x, ray.dx);
-    span = clipped(span, block.first_j, block.end_j, ray.y, ray.dy);
+    Span span{0, length};
+    const RayAxis along_x(ray.x, ray.dx), along_y(ray.y, ray.dy);
+    span = along_x.within(block.first_i, block.end_i, span);
+    span = along_y.within(block.first_j, block.end_j, span);
     if (!(span.from <= span.to))
         return false;
     auto cell_of = [](double place, int first, int end) {
@@ -106,11 +123,10 @@ bool march(const CellBlock& block, const GridRay& ray, Span span, const Visit& v
     };
     int i = cell_of(ray.x_at(span.from), block.first_i, block.end_i);
     int j = cell_of(ray.y_at(span.from), block.first_j, block.end_j);
-    const int forward_x = ray.dx > 0, forward_y = ray.dy > 0;
-    double from = span.from;
-    for (;;) {
-        const double leaves_x = step_to(i + forward_x, ray.x, ray.dx);
-        const double leaves_y = step_to(j + forward_y, ray.y, ray.dy);
+    const int forward_x = along_x.forward(), forward_y = along_y.forward();
+    double leaves_x = along_x.step_to(i + forward_x);
+    double leaves_y = along_y.step_to(j + forward_y);
+    for (double from = span.from;;) {
         // Rounding may put the border just behind: then the cell gets nothing of the ray.
         const double to = std::max(from, std::min({leaves_x, leaves_y, span.to}));
         if (visit(i, j, from, to))
@@ -118,12 +134,17 @@ bool march(const CellBlock& block, const GridRay& ray, Span span, const Visit& v
         if (to >= span.to)
             return false;
         from = to;
-        if (leaves_x <= leaves_y)
+        if (leaves_x <= leaves_y) {
             i += 2 * forward_x - 1;
-        else
+            if (i < block.first_i || i >= block.end_i)
+                return false;
+            leaves_x = along_x.step_to(i + forward_x);
+        } else {
             j += 2 * forward_y - 1;
-        if (i < block.first_i || i >= block.end_i || j < block.first_j || j >= block.end_j)
-            return false;
+            if (j < block.first_j || j >= block.end_j)
+                return false;
+            leaves_y = along_y.step_to(j + forward_y);
+        }
     }
 }
 

@@ -7,7 +7,7 @@ constexpr double kStart = 0.5; // of the relief, in grid coordinates
 
 double step_to_end(double size, double place, double direction)
 {
-    return step_to(direction > 0 ? kStart + size : kStart, place, direction);
+    return RayAxis(place, direction).step_to(direction > 0 ? kStart + size : kStart);
 }
 
 } // namespace
@@ -17,30 +17,35 @@ Tiling::Tiling(const Relief& relief)
                                                                  relief.beyond_t}
 {}
 
-void Tiling::fold(const Axis& axis, double& place, double& direction)
+Span Tiling::within(const Axis& axis, double place, double direction, Span span)
 {
-    const double image = std::floor((place - kStart) / axis.size);
-    if (image == 0 || !goes_on(axis.beyond))
-        return;
-    place -= image * axis.size;
-    if (axis.beyond == Beyond::mirrors && std::fmod(image, 2) != 0) {
-        place = 2 * kStart + axis.size - place;
-        direction = -direction;
-    }
-    place = std::clamp(place, kStart, kStart + axis.size);
+    return goes_on(axis.beyond)
+               ? span
+               : RayAxis(place, direction).within(kStart, kStart + axis.size, span);
 }
 
-std::optional<double> Tiling::enter(GridRay& ray) const
+Span Tiling::inside(const GridRay& ray, Span span) const
+{
+    return within(t_, ray.y, ray.dy, within(s_, ray.x, ray.dx, span));
+}
+
+void Tiling::fold(const Axis& axis, double& place, double& direction)
+{
+    if (goes_on(axis.beyond)) {
+        const double image = std::floor((place - kStart) / axis.size);
+        place -= image * axis.size;
+        if (axis.beyond == Beyond::mirrors && std::fmod(image, 2) != 0) {
+            place = 2 * kStart + axis.size - place;
+            direction = -direction;
+        }
+    }
+    place = std::clamp(place, kStart, kStart + axis.size); // what is left is rounding
+}
+
+void Tiling::fold(GridRay& ray) const
 {
     fold(s_, ray.x, ray.dx);
     fold(t_, ray.y, ray.dy);
-    // Folded axes are inside and stay so until `leaves`.
-    Span inside{0, std::numeric_limits<double>::infinity()};
-    inside = clipped(inside, kStart, kStart + s_.size, ray.x, ray.dx);
-    inside = clipped(inside, kStart, kStart + t_.size, ray.y, ray.dy);
-    if (!(inside.from <= inside.to))
-        return {};
-    return inside.from;
 }
 
 double Tiling::leaves(const GridRay& ray) const

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "reference/grid_ray.h"
 
 namespace scree::reference {
@@ -12,11 +10,12 @@ class Tiling {
 public:
     explicit Tiling(const Relief& relief);
 
-    /// Brings a ray that may start anywhere into the relief: an axis that goes on is folded (and
-    /// turned, in a mirror image), one that does not is waited for.
-    ///
-    /// returns the step at which the ray, as it then is, enters; nothing if it never does
-    [[nodiscard]] std::optional<double> enter(GridRay& ray) const;
+    /// The part of a span in which the relief is there: all of it along an axis that goes on.
+    [[nodiscard]] Span inside(const GridRay& ray, Span span) const;
+
+    /// Brings a ray that starts in an image of the relief into the relief, turned where the image
+    /// is mirrored.
+    void fold(GridRay& ray) const;
 
     /// The step at which a ray from inside leaves; infinity for one that runs straight up or down.
     [[nodiscard]] double leaves(const GridRay& ray) const;
@@ -34,6 +33,7 @@ private:
     {
         return beyond == Beyond::repeats || beyond == Beyond::mirrors;
     }
+    static Span within(const Axis& axis, double place, double direction, Span span);
     static void fold(const Axis& axis, double& place, double& direction);
     static bool cross(const Axis& axis, double& place, double& direction);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "math/vec.h"
@@ -21,7 +22,8 @@ inline Vec3 direction(double theta_degrees, double azimuth_degrees)
 }
 
 /// Heights by a function of the texel's column and row.
-template <class Height> reference::Relief relief_of(int width, int height, const Height& height_at)
+template <class Height>
+reference::Relief relief_of(int width, int height, const Height& height_at)
 {
     reference::Relief relief;
     relief.width = width;
@@ -47,6 +49,26 @@ inline reference::Relief rough_relief(int width, int height, unsigned seed)
 {
     Uniform uniform(seed);
     return relief_of(width, height, [&](int, int) { return uniform(); });
+}
+
+/// Takes data away, a tenth of it in each of the ways there are.
+inline void punch_holes(reference::Relief& relief, unsigned seed)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Uniform uniform(seed);
+    relief.weights.assign(relief.heights.size(), 1.0F);
+    relief.colors.assign(relief.heights.size(), {0.25, 0.5, 1});
+    for (size_t i = 0; i < relief.heights.size(); ++i) {
+        const double way = uniform();
+        if (way < 0.1)
+            relief.heights[i] = nan;
+        else if (way < 0.2)
+            relief.weights[i] = 0;
+        else if (way < 0.3)
+            relief.colors[i][i % 3] = nan;
+        else
+            relief.weights[i] = static_cast<float>(0.25 + 0.75 * uniform());
+    }
 }
 
 } // namespace scree::test
