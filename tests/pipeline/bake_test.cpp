@@ -11,6 +11,7 @@
 #include "math/error.h"
 #include "support/files.h"
 #include "support/oracle_case.h"
+#include "support/truth.h"
 
 namespace scree::test {
 namespace {
@@ -56,7 +57,7 @@ TEST(Bake, CovarianceInFloatFilesIsWithin1e5OfBruteForce)
         OracleCase c = random_case(width, height, seed++);
         c.options.pixel_type = PixelTypeChoice::float32;
         const Baked baked = bake_case(c, temp / "set");
-        const auto truth = oracle::brute_force(c.input);
+        const auto truth = brute_force(c.input);
         const auto levels = baked.levels("slope");
         ASSERT_EQ(levels.size(), truth.levels.size()) << c.title;
         for (size_t l = 0; l < levels.size(); ++l) {
@@ -82,7 +83,7 @@ TEST(Bake, EveryMapHoldsItsRawMomentsToRounding)
     OracleCase c = holes_case(99, 77, 3);
     c.options.pixel_type = PixelTypeChoice::float32;
     const Baked baked = bake_case(c, temp / "set");
-    const auto truth = oracle::brute_force(c.input);
+    const auto truth = brute_force(c.input);
     const auto color = baked.levels("color"), colorheight = baked.levels("colorheight"),
                colorslope = baked.levels("colorslope"), height = baked.levels("height"),
                tail = baked.levels("tail"), coverage = baked.levels("coverage");
@@ -162,7 +163,7 @@ OracleCase groove_case(double amplitude, double mean_s, double mean_t)
 {
     OracleCase c;
     c.title = "groove";
-    c.input.width = c.input.height = 96;
+    c.input.relief.width = c.input.relief.height = 96;
     std::mt19937 random(4);
     std::normal_distribution<double> noise;
     for (int i = 0; i < 96 * 96; ++i) {
@@ -212,7 +213,7 @@ TEST(Bake, AutoTakesFloatForSteepOrFaintSlopesAndHalfForOrdinaryOnes)
         std::uniform_real_distribution<double> noise(-k.amplitude, k.amplitude);
         for (int i = 0; i < 64 * 64; ++i)
             c.input.slopes.push_back({k.mean + noise(random), noise(random)});
-        c.input.heights.clear();
+        c.input.relief.heights.clear();
         c.options.maps = {Map::slope};
         const Baked baked = bake_case(c, temp / "set");
         const TextureRecord& slope = baked.manifest.textures.front();
@@ -222,7 +223,7 @@ TEST(Bake, AutoTakesFloatForSteepOrFaintSlopesAndHalfForOrdinaryOnes)
         EXPECT_LT(*slope.float_error, *slope.half_error);
 
         // Whatever was chosen, the slopes survive.
-        const auto truth = oracle::brute_force(c.input).levels.back().at(0, 0);
+        const auto truth = brute_force(c.input).levels.back().at(0, 0);
         const auto cov = recovered(baked.levels("slope").back(), 0, 0);
         EXPECT_NEAR(cov[0] / truth.cov_slope[0], 1, c.options.half_tolerance) << k.amplitude;
     }
@@ -237,7 +238,7 @@ TEST(Bake, MeasuredErrorIsTheOneTheFilesHave)
         c.options.half_tolerance = type == PixelTypeChoice::half ? 1e9 : 0;
         const Baked baked = bake_case(c, temp / "set"); // auto, forced by the tolerance
         const TextureRecord& slope = baked.manifest.textures.front();
-        const auto truth = oracle::brute_force(c.input);
+        const auto truth = brute_force(c.input);
         const auto levels = baked.levels("slope");
         std::vector<double> largest(levels.size() + 1), worst(levels.size());
         for (size_t l = 0; l < levels.size(); ++l)
@@ -303,7 +304,7 @@ TEST(Bake, BakesOnlyWhatIsAskedFor)
               (std::set<std::string>{"test.height.exr", "test.slope.exr", "test.scree.json"}));
 
     c.options.maps.clear();
-    c.input.colors.clear();
+    c.input.relief.colors.clear();
     const Baked plain = bake_case(c, temp / "plain");
     EXPECT_EQ(plain.manifest.textures.size(), 3U) << "slope, height, tail: no color, no color maps";
 }
@@ -313,7 +314,7 @@ TEST(Bake, LevelSummariesAreThoseOfTheOracle)
     TempFolder temp;
     OracleCase c = holes_case(50, 40, 2);
     const Baked baked = bake_case(c, temp / "set");
-    const auto truth = oracle::brute_force(c.input);
+    const auto truth = brute_force(c.input);
     ASSERT_EQ(baked.manifest.levels.size(), truth.levels.size());
     for (size_t l = 0; l < truth.levels.size(); ++l) {
         const LevelSummary& ours = baked.manifest.levels[l];

@@ -7,12 +7,12 @@
 #include <random>
 #include <vector>
 
-#include "oracle/brute_force.h"
 #include "pipeline/bake.h"
 #include "stats/ranks.h"
 #include "support/files.h"
 #include "support/memory_source.h"
 #include "support/oracle_case.h"
+#include "support/truth.h"
 
 namespace scree::test {
 namespace {
@@ -52,7 +52,7 @@ TEST(ColorFit, ItsSharesAreThoseOfTheOraclesMoments)
 {
     const OracleCase c = holes_case(50, 40, 2);
     const auto levels = levels_of(c.source(), c.options);
-    const auto truth = oracle::brute_force(c.input);
+    const auto truth = brute_force(c.input);
     ASSERT_EQ(levels.size(), truth.levels.size());
     EXPECT_FALSE(levels[0].color_fit) << "one texel has one color";
     for (size_t l = 1; l < levels.size(); ++l) {

@@ -10,6 +10,7 @@
 #include "pipeline/survey.h"
 #include "stats/kurtosis.h"
 #include "support/oracle_case.h"
+#include "support/truth.h"
 
 namespace scree::test {
 namespace {
@@ -67,12 +68,12 @@ public:
 
     void run()
     {
-        const oracle::Result truth = oracle::brute_force(case_.input);
+        const Truth truth = brute_force(case_.input);
         MemorySource source = case_.source();
         const Survey found = survey(source, {});
         const MomentLayout layout = everything(source.has_heights(), source.has_color());
         const TexelMoments texels(layout, found, case_.options, nullptr, source.width(),
-                                  case_.input.dx, case_.input.dy);
+                                  case_.input.relief.texel_width, case_.input.relief.texel_height);
         Recorder recorder(layout, source.width(), source.height());
         MomentPyramid pyramid(layout, source.width(), source.height(), {&recorder});
         StripReader strips(source, found, case_.options, true);
@@ -95,7 +96,7 @@ private:
     using Values = std::map<std::string, std::pair<double, double>>; // ours, truth
 
     static Values values_of(const MomentLayout& layout, MomentRow row, int x,
-                            const oracle::Texel& truth)
+                            const reference::Texel& truth)
     {
         auto ours = [&](int plane) { return row.plane(plane)[x]; };
         Values v;
@@ -137,7 +138,7 @@ private:
     }
 
     void compare_level(const MomentLayout& layout, Recorder& recorder, int l,
-                       const oracle::Level& truth)
+                       const TrueLevel& truth)
     {
         std::map<char, double>& scale = scale_;
         for (int y = 0; y < truth.height; ++y)
@@ -172,7 +173,7 @@ private:
     std::map<char, double> scale_; ///< largest of each kind in this level and the finer ones
 };
 
-// Rounding of double through ten levels of merging; the oracle sums in long double.
+// Rounding of double through ten levels of merging, and of brute force.
 constexpr double kRounding = 1e-12;
 
 TEST(Moments, OfEveryLevelAgreeWithBruteForceAtAllSizes)
@@ -224,10 +225,10 @@ TEST(Moments, LeaveOutTexelsWithoutData)
 TEST(Moments, OfGivenSlopesAgreeWithBruteForce)
 {
     OracleCase c = random_case(37, 50, 9);
-    for (size_t i = 0; i < c.input.heights.size(); ++i)
-        c.input.slopes.push_back({c.input.heights[i], c.input.colors[i][0] - 0.5});
+    for (size_t i = 0; i < c.input.relief.heights.size(); ++i)
+        c.input.slopes.push_back({c.input.relief.heights[i], c.input.relief.colors[i][0] - 0.5});
     c.input.slopes[40][0] = std::nan("");
-    c.input.heights.clear();
+    c.input.relief.heights.clear();
     Comparison(c, kRounding).run();
 }
 

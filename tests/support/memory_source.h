@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pipeline/source.h"
+#include "reference/statistics.h"
 
 #include <array>
 #include <cmath>
@@ -11,15 +12,28 @@ namespace scree::test {
 
 /// A surface held in memory, handed out row by row.
 ///
-/// heights or slopes (one of them), colors and weights as in the oracle's Input; a texel without
-/// data is marked as a Source marks it.
+/// heights or slopes (one of them), colors and weights as in reference::StatisticsInput; a texel
+/// without data is marked as a Source marks it.
 class MemorySource : public Source {
 public:
     int map_width = 0, map_height = 0;
     std::vector<double> heights;
     std::vector<std::array<double, 2>> slopes;
     std::vector<std::array<double, 3>> colors;
-    std::vector<double> weights;
+    std::vector<float> weights;
+
+    /// The same for brute force: texels of size 1, periodic.
+    reference::StatisticsInput statistics_input() const
+    {
+        reference::StatisticsInput input;
+        input.relief.width = map_width;
+        input.relief.height = map_height;
+        input.relief.heights = heights;
+        input.relief.colors = colors;
+        input.relief.weights = weights;
+        input.slopes = slopes;
+        return input;
+    }
 
     std::string name() const override { return "memory"; }
     int width() const override { return map_width; }
@@ -41,7 +55,7 @@ public:
                     valid = valid && std::isfinite(c);
                 }
             if (!weights.empty()) {
-                rows.weight.push_back(static_cast<float>(weights[next_]));
+                rows.weight.push_back(weights[next_]);
                 valid = valid && weights[next_] > 0;
             }
             const double nan = std::numeric_limits<double>::quiet_NaN();

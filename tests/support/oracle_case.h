@@ -2,16 +2,16 @@
 
 #include <string>
 
-#include "oracle/brute_force.h"
 #include "pipeline/options.h"
+#include "reference/statistics.h"
 #include "support/memory_source.h"
 
 namespace scree::test {
 
-/// One surface, for the baker and for the oracle.
+/// One surface, for the baker and for brute force.
 struct OracleCase {
     std::string title;
-    oracle::Input input;
+    reference::StatisticsInput input;
     BakeOptions options;
 
     MemorySource source() const;
