@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
-#include "oracle/brute_force.h"
 #include "reference/ray_oracle.h"
 #include "reference/reliefs.h"
+#include "reference/statistics.h"
 
 namespace scree::reference {
 namespace {
@@ -160,23 +160,9 @@ TEST(DisplacedSurface, SlopesAreThoseOfTheStatistics)
     const double nodes[] = {(1 - std::sqrt(0.6)) / 2, 0.5, (1 + std::sqrt(0.6)) / 2};
     const double weights[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
     for (const Relief& relief : awkward_reliefs()) {
-        auto wrap = [](Beyond beyond) {
-            return beyond == Beyond::repeats   ? oracle::Wrap::kPeriodic
-                   : beyond == Beyond::mirrors ? oracle::Wrap::kMirror
-                   : beyond == Beyond::extends ? oracle::Wrap::kClamp
-                                               : oracle::Wrap::kBlack;
-        };
-        oracle::Input input;
-        input.width = relief.width;
-        input.height = relief.height;
-        input.heights = relief.heights;
-        input.colors = relief.colors;
-        input.weights.assign(relief.weights.begin(), relief.weights.end());
-        input.dx = relief.texel_width;
-        input.dy = relief.texel_height;
-        input.wrap_s = wrap(relief.beyond_s);
-        input.wrap_t = wrap(relief.beyond_t);
-        const auto truth = oracle::brute_force(input).levels[0];
+        StatisticsInput input;
+        input.relief = relief;
+        const Statistics truth(input);
 
         const DisplacedSurface surface(relief);
         for (int y = 0; y < relief.height; ++y)
@@ -194,7 +180,7 @@ TEST(DisplacedSurface, SlopesAreThoseOfTheStatistics)
                     st += p.slope.x * p.slope.y * share;
                     tt += p.slope.y * p.slope.y * share;
                 }
-                const oracle::Texel& texel = truth.at(x, y);
+                const Texel texel = truth.at(0, x, y);
                 const std::string which =
                     name(relief) + " texel " + std::to_string(x) + " " + std::to_string(y);
                 ASSERT_NEAR(weight, texel.coverage, 1e-7) << which;
