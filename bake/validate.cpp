@@ -122,7 +122,7 @@ void print(const Validation& validation, const Manifest& manifest)
     fmt::print("{}\n", to_text(statistics_table(validation.statistics)));
     if (validation.views) {
         const ViewCheck& views = *validation.views;
-        fmt::print("{}\n", to_text(view_table(views)));
+        fmt::print("{}\n{}\n", to_text(color_table(views)), to_text(slope_table(views)));
         const report::Table models = model_table(views);
         if (!models.rows.empty())
             fmt::print("{}\n", to_text(models));

@@ -38,13 +38,14 @@ void add_views(const ViewCheck& check, const ViewPlan& plan, report::Page& page)
         "the light in a Beckmann lobe of roughness {:g}.",
         plan.footprints, plan.azimuths, plan.lights_deg.size(), plan.grid * plan.grid,
         check.rms_slope, plan.material.f0, plan.material.base_alpha));
-    page.add(view_table(check));
+    page.add(color_table(check));
     for (const report::Chart& chart : view_charts(check))
         page.add(chart);
     const report::Table models = model_table(check);
     if (!models.rows.empty())
         page.add(models);
     page.add(level_table(check));
+    page.add(slope_table(check));
     page.paragraph(fmt::format("{} samples, {} rays, in {:.1f} s: {:.2f} million samples a second.",
                                check.samples, check.rays, check.seconds,
                                static_cast<double>(check.samples) / check.seconds / 1e6));

@@ -16,6 +16,12 @@ std::string angle_of(const ViewErrors& errors)
 
 std::string number(double error) { return fmt::format("{:.4f}", error); }
 
+void append(std::vector<std::string>& row, const ViewError& error)
+{
+    for (const double part : {error.set, error.plain, error.noise})
+        row.push_back(number(part));
+}
+
 /// One figure over the view's angle.
 report::Series over_angles(const ViewCheck& check, const std::string& name,
                            ViewError ViewErrors::*figure, double ViewError::*part)
@@ -43,20 +49,36 @@ report::Chart chart_of(const ViewCheck& check, const std::string& title,
 
 } // namespace
 
-report::Table view_table(const ViewCheck& check)
+report::Table color_table(const ViewCheck& check)
 {
     report::Table table;
-    table.title = "What views see: rms errors against the reference";
-    table.headings = {"view deg", "color",     "plain",    "noise",     "radiance",
-                      "plain",    "noise",     "masking",  "plain",     "visible slope",
-                      "as baked", "slope cov", "as baked", "footprints"};
-    for (const ViewErrors& e : check.all)
-        table.rows.push_back({angle_of(e), number(e.color.set), number(e.color.plain),
-                              number(e.color.noise), number(e.radiance.set),
-                              number(e.radiance.plain), number(e.radiance.noise),
-                              number(e.masking.set), number(e.masking.plain), number(e.slope.set),
-                              number(e.slope.plain), number(e.covariance.set),
-                              number(e.covariance.plain), fmt::format("{}", e.footprints)});
+    table.title = "What views see: rms errors against the reference, relative";
+    table.headings = {"view deg",      "color: set", "plain MIP", "noise",
+                      "radiance: set", "plain MIP",  "noise",     "footprints"};
+    for (const ViewErrors& errors : check.all) {
+        std::vector<std::string> row{angle_of(errors)};
+        append(row, errors.color);
+        append(row, errors.radiance);
+        row.push_back(fmt::format("{}", errors.footprints));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+report::Table slope_table(const ViewCheck& check)
+{
+    report::Table table;
+    table.title = "Masking G1, and the visible slopes over the map's rms slope: rms errors";
+    table.headings = {"view deg",        "masking: set", "none",  "noise",
+                      "mean slope: set", "as baked",     "noise", "slope covariance: set",
+                      "as baked",        "noise"};
+    for (const ViewErrors& errors : check.all) {
+        std::vector<std::string> row{angle_of(errors)};
+        append(row, errors.masking);
+        append(row, errors.slope);
+        append(row, errors.covariance);
+        table.rows.push_back(std::move(row));
+    }
     return table;
 }
 

@@ -8,8 +8,11 @@
 
 namespace scree {
 
-/// What views see, angle by angle, all levels together.
-report::Table view_table(const ViewCheck& check);
+/// Errors of visible color and radiance, angle by angle, all levels together.
+report::Table color_table(const ViewCheck& check);
+
+/// The same of masking, and of mean and covariance of the visible slopes.
+report::Table slope_table(const ViewCheck& check);
 
 /// The visible color's error by every model that the set has; no rows where it has but the mean.
 report::Table model_table(const ViewCheck& check);
