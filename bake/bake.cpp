@@ -21,11 +21,21 @@ namespace {
 constexpr const char* kNotRecorded =
     ",recipe,output,threads,quiet,help,height,color,colormap,ocio-config,";
 
+/// The options of a command and of the groups that its help shows them in.
+std::vector<const CLI::Option*> all_options(const CLI::App& command)
+{
+    std::vector<const CLI::Option*> options = command.get_options();
+    for (const CLI::App* group : command.get_subcommands([](const CLI::App*) { return true; }))
+        for (const CLI::Option* option : group->get_options())
+            options.push_back(option);
+    return options;
+}
+
 /// What the manifest records: every option that was given, by its long name.
 std::map<std::string, std::string> given_options(const CLI::App& command)
 {
     std::map<std::string, std::string> given;
-    for (const CLI::Option* option : command.get_options()) {
+    for (const CLI::Option* option : all_options(command)) {
         const std::string name =
             option->get_lnames().empty() ? option->get_name() : option->get_lnames().front();
         if (option->count() == 0 ||

@@ -226,6 +226,13 @@ BakeOptions options_of_manifest(const Manifest& manifest, const InputFiles& file
     interpret(command, words);
     BakeOptions& o = words.options;
     o.name = manifest.name;
+    // What the manifest says in numbers of its own holds, whatever the options were.
+    o.height_scale = manifest.height_scale;
+    o.height_offset = manifest.height_offset;
+    o.wrap_s = wrap_named(manifest.wrap_s);
+    o.wrap_t = wrap_named(manifest.wrap_t);
+    if (manifest.has_height)
+        o.reconstruction = reconstruction_named(manifest.reconstruction);
     o.texel_size = {manifest.texel_width, manifest.texel_height};
     o.world_size.reset();
     return o;

@@ -138,6 +138,9 @@ expect_success "from a recipe" -- "$scree" bake short.toml --height $height -o a
 expect_success "from the command line" -- "$scree" bake --height-scale 2.5 --wrap clamp \
     --height $height -o b --quiet
 expect_equal "recipe and command line" "$(fingerprint a)" "$(fingerprint b)"
+expect_equal "options in the manifest" \
+    "$(grep -A 3 '"options"' b/*.scree.json | tr -d ' \n')" \
+    '"options":{"height-scale":"2.5","wrap":"clamp"},'
 
 # The recipe a sample comes with.
 expect_success "the sample's recipe" -- "$scree" bake pair/fractal.toml -o out --quiet
