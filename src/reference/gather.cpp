@@ -1,10 +1,9 @@
 #include "reference/gather.h"
 
-#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <mutex>
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include "reference/jitter.h"
@@ -127,18 +126,17 @@ Estimate Gatherer::run(const Footprint& footprint, uint64_t index)
     std::array<GatherSums, 2> halves{GatherSums(views, lights), GatherSums(views, lights)};
     Estimate estimate;
     rays_ = 0;
-    for (int j = 0; j < plan_.grid; ++j)
-        for (int i = 0; i < plan_.grid; ++i) {
-            const auto sample = static_cast<uint64_t>(j) * static_cast<uint64_t>(plan_.grid) +
-                                static_cast<uint64_t>(i);
-            const auto inside = jitter(plan_.seed, index, sample);
-            const double s = along_s.at((i + inside[0]) / plan_.grid);
-            const double t = along_t.at((j + inside[1]) / plan_.grid);
+    const auto grid = static_cast<uint64_t>(plan_.grid);
+    for (uint64_t j = 0; j < grid; ++j)
+        for (uint64_t i = 0; i < grid; ++i) {
+            const auto inside = jitter(plan_.seed, index, j * grid + i);
+            const double s = along_s.at((static_cast<double>(i) + inside[0]) / plan_.grid);
+            const double t = along_t.at((static_cast<double>(j) + inside[1]) / plan_.grid);
             const SurfacePoint point = surface_.at(s, t);
             if (!(point.weight > 0))
                 continue;
             ++estimate.samples;
-            add(halves[static_cast<size_t>((i + j) % 2)], s, t, point);
+            add(halves[half_of(plan_.seed, index, i, j)], s, t, point);
         }
     estimate.rays = rays_;
     for (size_t half = 0; half < 2; ++half)
@@ -153,6 +151,7 @@ Estimate Gatherer::run(const Footprint& footprint, uint64_t index)
 Estimate gather(const DisplacedSurface& surface, const Footprint& footprint, const GatherPlan& plan,
                 uint64_t index)
 {
+    assert(plan.grid > 0 && plan.base_alpha > 0);
     return Gatherer(surface, plan).run(footprint, index);
 }
 

@@ -41,26 +41,34 @@ struct Gathered {
 struct GatherPlan {
     std::vector<Vec3> views, lights; ///< unit, away from the surface, z > 0
     /// Beckmann roughness of the facets: each has Gaussian slopes of variance base_alpha^2 / 2
-    /// about its own.
+    /// about its own. > 0
     double base_alpha = 0.2;
     int grid = 32;     ///< grid x grid jittered samples a footprint
     uint64_t seed = 1; ///< equal seeds, equal numbers, whatever the threads
 };
 
-/// A footprint as it is gathered, and what that is worth: `halves` are of every other sample
-/// (checkerboard), so half their difference estimates the error of `all`.
+/// A footprint as it is gathered, and what that is worth.
+///
+/// What nothing was seen of, or no sample lay on, is 0: area, slope, color and the rest.
 struct Estimate {
     Gathered all;
+    /// Of every other sample: of each 2x2 block of the grid one diagonal each, by chance which.
+    /// Half their difference has about the standard deviation of `all`, one draw of it: take its
+    /// mean square over many values. It says too much, not too little, where the grid is finer than
+    /// the texels. With grid = 1 one of them is of no sample.
     std::array<Gathered, 2> halves;
     int samples = 0;    ///< that lay on data
     long long rays = 0; ///< cast
 };
 
+/// Gathers a footprint: casts a ray for each sample and view that its face is turned to, and, where
+/// any view sees it, for each light it is turned to.
+///
 /// index  of the footprint, so that no two share their jitter
 Estimate gather(const DisplacedSurface& surface, const Footprint& footprint, const GatherPlan& plan,
                 uint64_t index);
 
-/// The same for many footprints, on all cores.
+/// The same for many footprints, on all cores; the index of each is its place in the list.
 ///
 /// progress  is told the share done, in [0, 1], from one thread at a time; it may throw to stop
 std::vector<Estimate> gather_all(const DisplacedSurface& surface,

@@ -1,0 +1,72 @@
+#include "reference/footprint.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "oracle/brute_force.h"
+#include "reference/reliefs.h"
+
+namespace scree::reference {
+namespace {
+
+TEST(Footprint, SharesAreComposedAsTheLevelsAre)
+{
+    for (const int n : {1, 2, 3, 5, 7, 8, 11, 31, 32, 33, 100, 1000})
+        for (int level = 0; level < level_count(n, 1) + 1; ++level) {
+            const auto truth = oracle::composed_shares(n, level);
+            ASSERT_EQ(level_size(n, level), static_cast<int>(truth.size())) << n << " " << level;
+            for (size_t j = 0; j < truth.size(); ++j) {
+                const AxisShares shares = axis_shares(n, level, static_cast<int>(j));
+                ASSERT_EQ(shares.first, truth[j].first) << n << " " << level << " " << j;
+                ASSERT_EQ(shares.share.size(), truth[j].share.size()) << n << " " << level;
+                for (size_t k = 0; k < shares.share.size(); ++k) // rounding of sums of a few terms
+                    EXPECT_NEAR(shares.share[k], static_cast<double>(truth[j].share[k]), 1e-15)
+                        << n << " " << level << " " << j << " " << k;
+            }
+        }
+}
+
+TEST(Footprint, LevelsGoDownToOneTexel)
+{
+    EXPECT_EQ(level_count(1, 1), 1);
+    EXPECT_EQ(level_count(640, 480), 10);
+    EXPECT_EQ(level_count(1, 1024), 11);
+    EXPECT_EQ(level_size(640, 9), 1);
+    const Footprint last = footprint_of(640, 480, 9, 0, 0);
+    EXPECT_EQ(last.s.share.size(), 640u);
+    EXPECT_EQ(last.t.share.size(), 480u);
+    const Footprint inner = footprint_of(640, 480, 3, 79, 2);
+    EXPECT_EQ(inner.s.first, 632);
+    EXPECT_EQ(inner.t.first, 16);
+}
+
+TEST(Footprint, PositionsInvertTheShareThatLiesBefore)
+{
+    const AxisShares shares{3, {0.25, 0.5, 0.125, 0.125}};
+    EXPECT_EQ(position_at(shares, 0), 3);
+    EXPECT_EQ(position_at(shares, 0.125), 3.5);
+    EXPECT_EQ(position_at(shares, 0.25), 4);
+    EXPECT_EQ(position_at(shares, 0.5), 4.5);
+    EXPECT_EQ(position_at(shares, 0.8125), 5.5);
+    EXPECT_LT(position_at(shares, std::nextafter(1, 0)), 7);
+    EXPECT_LT(position_at(shares, std::nextafter(0.25, 0)), 4); // colors change there
+
+    // Any footprint: the share before the position of u is u.
+    const AxisShares level = axis_shares(1000, 7, 3);
+    test::Uniform uniform(1);
+    double total = 0;
+    for (const double share : level.share)
+        total += share;
+    for (int k = 0; k < 1000; ++k) {
+        const double u = uniform();
+        const double place = position_at(level, u) - level.first;
+        double before = 0;
+        for (size_t i = 0; i < level.share.size(); ++i)
+            before += level.share[i] * std::min(1.0, std::max(0.0, place - static_cast<double>(i)));
+        EXPECT_NEAR(before / total, u, 1e-12);
+    }
+}
+
+} // namespace
+} // namespace scree::reference
