@@ -22,13 +22,14 @@ namespace fs = std::filesystem;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// 256 grays by linear light, each a pixel, in a row of 16.
+/// 256 pixels, all reds by linear light, and blues of the curve's straight part.
 Picture ramp()
 {
     Picture picture{16, 16, {}};
     for (int i = 0; i < 256; ++i)
-        picture.rgb.insert(picture.rgb.end(), {static_cast<float>(i) / 255.0F,
-                                               static_cast<float>(i % 16) / 15.0F, 0.25F});
+        picture.rgb.insert(picture.rgb.end(),
+                           {static_cast<float>(i) / 255.0F, static_cast<float>(i % 16) / 15.0F,
+                            static_cast<float>(i) * 2e-5F});
     return picture;
 }
 
