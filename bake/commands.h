@@ -10,6 +10,7 @@ namespace scree::tool {
 void add_bake(CLI::App& app);
 void add_info(CLI::App& app);
 void add_sample(CLI::App& app);
+void add_chart(CLI::App& app);
 void add_validate(CLI::App& app);
 
 } // namespace scree::tool

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "bake/commands.h"
+#include "bake/made_folder.h"
 #include "bake/terminal.h"
 #include "sample/field.h"
 #include "texset/image_file.h"
@@ -52,30 +53,6 @@ void print_known(const KnownAnswers& known)
     line("standard deviation of height", known.std_height);
 }
 
-/// A folder that goes again when nothing came to lie in it.
-class SampleFolder {
-public:
-    explicit SampleFolder(std::filesystem::path path) : path_(std::move(path))
-    {
-        std::error_code failed;
-        made_ = std::filesystem::create_directories(path_, failed);
-        if (failed)
-            throw Error(fmt::format("{}: cannot be made: {}", path_.string(), failed.message()));
-    }
-    ~SampleFolder()
-    {
-        std::error_code not_empty;
-        if (made_)
-            std::filesystem::remove(path_, not_empty);
-    }
-    SampleFolder(const SampleFolder&) = delete;
-    SampleFolder& operator=(const SampleFolder&) = delete;
-
-private:
-    std::filesystem::path path_;
-    bool made_ = false;
-};
-
 void run(const SampleWords& words)
 {
     std::unique_ptr<SampleField> field;
@@ -85,7 +62,7 @@ void run(const SampleWords& words)
         throw UsageError(e.what());
     }
     const SampleInfo& info = field->info();
-    const SampleFolder folder(words.folder);
+    const MadeFolder folder(words.folder);
 
     ImageFile height(words.folder / (info.kind + ".height.exr"), info.width_texels,
                      info.height_texels, {"Y"});

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "color/map_table.h"
+#include "judge/set_texel.h"
+#include "judge/shading.h"
+
+namespace scree {
+
+/// What the textures of all methods hold for one footprint; each method reads a part of it.
+struct FootprintData {
+    SetTexel set;                      ///< of a set with all maps
+    filter::SlopeMoments<float> sobel; ///< of a set with Sobel slopes, as maketx --bumpslopes has
+    /// Mean of the unit normals of the level-0 texels: the shorter, the more they differ.
+    Vec3f normal{0, 0, 1};
+};
+
+/// What all footprints share.
+struct MethodSetting {
+    Material material;
+    /// Colors by normalised height, averaged over normal laws: what the published visible-height
+    /// model looks up. Never null.
+    const MapTable* height_colors = nullptr;
+};
+
+/// A texture that methods read.
+enum class MethodTexture {
+    normal,
+    slope,
+    sobel,
+    tail,
+    height,
+    color,
+    colorheight,
+    colorslope,
+    rank
+};
+
+struct Reading {
+    MethodTexture texture;
+    int channels;
+};
+
+/// What methods have in common, for a legend.
+enum class MethodFamily {
+    plain,         ///< nothing hides anything, and the color is the same from everywhere
+    masked,        ///< Smith's masking
+    correlated,    ///< and color that goes with height or slope, as Scree bakes it
+    supersampling, ///< no lookup: the surface itself
+};
+
+/// A way to shade a footprint from one lookup in its textures.
+struct Method {
+    std::string name;
+    MethodFamily family;
+    std::string what; ///< a sentence for readers: what it knows, and its source
+    std::vector<Reading> reads;
+
+    /// The color seen along wo.
+    Rgbf (*color)(const FootprintData& data, const MethodSetting& setting, const Vec3f& wo);
+    /// Radiance over irradiance towards wo under a light along wi; both unit, z > 0.
+    Rgbf (*radiance)(const FootprintData& data, const MethodSetting& setting, const Vec3f& wo,
+                     const Vec3f& wi);
+};
+
+/// All methods, the plainest first. A new one is a row of this table.
+const std::vector<Method>& methods();
+
+} // namespace scree
