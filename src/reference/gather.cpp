@@ -58,8 +58,8 @@ Gatherer::Gatherer(const DisplacedSurface& surface, const GatherPlan& plan)
             halves_.push_back(half_vector(view, light, plan.base_alpha));
 }
 
-/// Slope of a facet's face towards w: its projected area per area of the mean plane, where
-/// positive.
+/// Projected area towards w of a face, per area of the mean plane; negative where it is turned
+/// away.
 double towards(const Vec3& w, const Vec2& slope) { return w.z - w.x * slope.x - w.y * slope.y; }
 
 bool Gatherer::add_views(GatherSums& sums, double s, double t, const SurfacePoint& point)

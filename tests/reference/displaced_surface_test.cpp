@@ -171,8 +171,9 @@ TEST(DisplacedSurface, SlopesAreThoseOfTheStatistics)
                 double ss = 0, st = 0, tt = 0, weight = 0;
                 for (int k = 0; k < 36; ++k) {
                     const int i = k % 6, j = k / 6;
+                    const int right = i / 3, below = j / 3;
                     const SurfacePoint p =
-                        surface.at(x + (i / 3 + nodes[i % 3]) / 2, y + (j / 3 + nodes[j % 3]) / 2);
+                        surface.at(x + (right + nodes[i % 3]) / 2, y + (below + nodes[j % 3]) / 2);
                     const double share = weights[i % 3] * weights[j % 3] / 4;
                     weight = p.weight;
                     mean += p.slope * share;
@@ -219,7 +220,7 @@ TEST(DisplacedSurface, LowWallsHideWhatLiesBehindThem)
 {
     const double wall = 0.01;
     Relief relief = test::relief_of(64, 8, [&](int x, int) { return x == 32 ? wall : 0.0; });
-    relief.heights[7 * 64] = 1e6; // makes the relief high; far from the rays
+    relief.heights[size_t{7} * 64] = 1e6; // makes the relief high; far from the rays
     relief.beyond_s = relief.beyond_t = Beyond::extends;
     const DisplacedSurface surface(relief);
     const double shadow = wall * std::tan(test::radians(89.9)); // texels, from the wall's top

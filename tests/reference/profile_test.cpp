@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reference/gather.h"
+#include "reference/gathered.h"
 #include "reference/reliefs.h"
 
 namespace scree::reference {
@@ -13,6 +14,7 @@ namespace {
 using test::direction;
 using test::kPi;
 using test::radians;
+using test::whole;
 
 constexpr int kPeriod = 16;    // texels
 constexpr double kSlope = 0.5; // of the groove's sides, + and -
@@ -28,12 +30,6 @@ Relief grooves()
         relief.colors.push_back(x % 8 == 0 ? Rgb{0, 1, 0} : x < 8 ? Rgb{1, 0, 0} : Rgb{0, 0, 1});
     }
     return relief;
-}
-
-Footprint whole(const Relief& relief)
-{
-    return footprint_of(relief.width, relief.height, level_count(relief.width, relief.height) - 1,
-                        0, 0);
 }
 
 /// Masking of the grooves across: where c = cot(theta) <= slope the far sides are turned away, the
