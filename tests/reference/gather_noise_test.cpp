@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "oracle/brute_force.h"
 #include "reference/gather.h"
 #include "reference/gathered.h"
 #include "reference/reliefs.h"
+#include "reference/statistics.h"
 #include "support/files.h"
 
 namespace scree::reference {
@@ -102,27 +102,21 @@ TEST(GatherNoise, FromAboveTheStatisticsAreSeen)
     for (Rgb& color : relief.colors)
         if (std::isfinite(color[0] + color[1] + color[2]))
             color = {uniform(), uniform(), uniform()};
-    oracle::Input input;
-    input.width = relief.width;
-    input.height = relief.height;
-    input.heights = relief.heights;
-    input.colors = relief.colors;
-    input.weights.assign(relief.weights.begin(), relief.weights.end());
-    const oracle::Result truth = oracle::brute_force(input);
+    StatisticsInput input;
+    input.relief = relief;
+    const Statistics truth(input);
 
     const DisplacedSurface surface(relief);
     GatherPlan plan;
     plan.views = {direction(0, 0)};
     int compared = 0;
-    for (size_t level = 0; level < truth.levels.size(); ++level) {
+    for (int level = 0; level < truth.levels(); ++level) {
         Rms noise, error;
-        const oracle::Level& texels = truth.levels[level];
-        for (int y = 0; y < texels.height; ++y)
-            for (int x = 0; x < texels.width; ++x) {
-                const oracle::Texel& texel = texels.at(x, y);
+        for (int y = 0; y < truth.height(level); ++y)
+            for (int x = 0; x < truth.width(level); ++x) {
+                const Texel texel = truth.at(level, x, y);
                 const uint64_t index = noise.count();
-                const Estimate e = gather(
-                    surface, footprint_of(33, 17, static_cast<int>(level), x, y), plan, index);
+                const Estimate e = gather(surface, footprint_of(33, 17, level, x, y), plan, index);
                 ASSERT_EQ(e.samples > 0, texel.coverage > 0) << level << " " << x << " " << y;
                 if (e.samples == 0)
                     continue;
