@@ -25,6 +25,7 @@ int run(int argc, char** argv)
     app.get_formatter()->column_width(40);
     scree::tool::add_bake(app);
     scree::tool::add_info(app);
+    scree::tool::add_preview(app);
     scree::tool::add_sample(app);
     scree::tool::add_chart(app);
     scree::tool::stop_on_signals();

@@ -14,45 +14,6 @@ namespace {
 
 constexpr double kRadPerDegree = 3.14159265358979323846 / 180;
 
-/// Where channel `i` of a map belongs in a texel; null: nowhere.
-///
-/// terms  of a rank table
-float* place(SetTexel& texel, Map map, size_t i, size_t terms)
-{
-    // Of three colors that sort B G R, as maps of several numbers a color do.
-    const size_t per_color = map == Map::rank ? terms : 2;
-    const size_t blue_first = 2 - std::min<size_t>(i / per_color, 2);
-    switch (map) {
-    case Map::slope: {
-        auto& [s, ss, st, t, tt] = texel.slope;
-        const std::array<float*, 5> all{&s, &ss, &st, &t, &tt};
-        return all[i];
-    }
-    case Map::height:
-        return i == 0 ? &texel.h : &texel.hh;
-    case Map::color:
-        return &texel.color[i];
-    case Map::colorheight:
-        return &texel.color_height[i];
-    case Map::colorslope:
-        return i % 2 == 0 ? &texel.color_s[blue_first] : &texel.color_t[blue_first];
-    case Map::rank:
-        return &texel.rank[i % terms][blue_first];
-    case Map::tail:
-        return &texel.tau;
-    case Map::coverage:
-        return &texel.coverage;
-    case Map::bumpslopes: {
-        auto& [s, ss, st, t, tt] = texel.slope;
-        const std::array<float*, 6> all{nullptr, &s, &t, &ss, &tt, &st}; // a world height first
-        return all[i];
-    }
-    case Map::map:
-        break;
-    }
-    return nullptr;
-}
-
 MapTable read_table(const MapTableRecord& record, MipReader& file)
 {
     MapTable table;
@@ -147,9 +108,7 @@ std::vector<SetTexel> SetReader::row(int level, int y)
         const size_t channels = texture.file.channels().size();
         const float* values = texture.row(level, y);
         for (size_t x = 0; x < texels.size(); ++x)
-            for (size_t i = 0; i < channels; ++i)
-                if (float* of_texel = place(texels[x], texture.map, i, channels / 3))
-                    *of_texel = values[x * channels + i];
+            put_channels(texels[x], texture.map, values + x * channels, channels);
     }
     return texels;
 }

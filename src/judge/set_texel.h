@@ -4,6 +4,7 @@
 
 #include "kernel/filter.h"
 #include "math/vec.h"
+#include "texset/channels.h"
 
 namespace scree {
 
@@ -18,5 +19,9 @@ struct SetTexel {
     std::array<std::array<float, 3>, 8> rank{}; ///< a_1 .. a_8
     float coverage = 1;
 };
+
+/// Puts the channels of a map, in the order of its file, where they belong in a texel; a color
+/// map's table has no place in it.
+void put_channels(SetTexel& texel, Map map, const float* values, size_t count);
 
 } // namespace scree

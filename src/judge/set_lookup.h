@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+
+#include "judge/set_reader.h"
+#include "texset/texture_lookup.h"
+
+namespace scree {
+
+/// A baked set as a renderer meets it: filtered lookups in all its maps. Any number of threads may
+/// look up at once.
+class SetLookup {
+public:
+    /// set  its folder, or its manifest
+    /// Throws Error as SetReader and TextureLookup do.
+    explicit SetLookup(const std::filesystem::path& set, const TextureFilter& filter = {});
+
+    [[nodiscard]] const Manifest& manifest() const { return reader_.manifest(); }
+    [[nodiscard]] const SetColors& colors() const { return reader_.colors(); }
+
+    /// White where the set has no colors.
+    [[nodiscard]] SetTexel at(const TexturePlace& place) const;
+
+private:
+    SetReader reader_;
+    TextureLookup textures_;
+};
+
+} // namespace scree
