@@ -70,11 +70,10 @@ SharePositions::SharePositions(const AxisShares& shares) : first_(shares.first)
 
 double SharePositions::at(double u) const
 {
-    const double before = u * edges_.back();
-    // The last texel that begins at or before it; its share is not 0, or the next would.
-    const auto next = std::upper_bound(edges_.begin() + 1, edges_.end() - 1, before);
+    // The last texel with no more than u before it.
+    const auto next = std::upper_bound(edges_.begin() + 1, edges_.end() - 1, u);
     const auto texel = next - edges_.begin() - 1;
-    const double inside = (before - *(next - 1)) / (*next - *(next - 1));
+    const double inside = (u - *(next - 1)) / (*next - *(next - 1));
     // Rounding must not carry a position into the texel after it.
     return first_ + static_cast<double>(texel) + std::min(inside, 1 - 0x1p-32);
 }

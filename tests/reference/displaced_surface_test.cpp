@@ -214,20 +214,40 @@ TEST(DisplacedSurface, GentleSlopesAreOpenAtGrazingAngles)
     }
 }
 
-// A wall of 1e-8 of the relief, seen at 89.9 degrees from behind: no light leaks through it. The
-// grid's tolerance, 6e-8 here, takes 4e-5 texels off its shadow.
+// A low wall seen at 89.9 degrees from behind: no light leaks through it, be it the highest there
+// is or 1e-8 of the relief, at its foot or at its top. The grid's tolerance, 6e-8 then, takes 4e-5
+// texels off its shadow.
 TEST(DisplacedSurface, LowWallsHideWhatLiesBehindThem)
 {
     const double wall = 0.01;
-    Relief relief = test::relief_of(64, 8, [&](int x, int) { return x == 32 ? wall : 0.0; });
-    relief.heights[size_t{7} * 64] = 1e6; // makes the relief high; far from the rays
-    relief.beyond_s = relief.beyond_t = Beyond::extends;
-    const DisplacedSurface surface(relief);
     const double shadow = wall * std::tan(test::radians(89.9)); // texels, from the wall's top
     EXPECT_GT(shadow, 5);
-    for (int k = 101; k < 2000; ++k) {
-        const double away = 0.01 * k;
-        EXPECT_EQ(surface.is_open(32.5 - away, 3.5, direction(89.9, 0)), away > shadow) << away;
+    for (const double elsewhere : {0.0, 1e6, -1e6}) {
+        Relief relief = test::relief_of(64, 8, [&](int x, int) { return x == 32 ? wall : 0.0; });
+        relief.heights[size_t{7} * 64] = elsewhere; // far from the rays
+        relief.beyond_s = relief.beyond_t = Beyond::extends;
+        const DisplacedSurface surface(relief);
+        for (int k = 101; k < 2000; ++k) {
+            const double away = 0.01 * k;
+            EXPECT_EQ(surface.is_open(32.5 - away, 3.5, direction(89.9, 0)), away > shadow)
+                << away << " " << elsewhere;
+        }
+    }
+}
+
+// Most of it lies as low as can be: the ray ends there, to rounding.
+TEST(DisplacedSurface, FlatFloorsAreMet)
+{
+    const Relief relief =
+        test::relief_of(16, 16, [](int x, int y) { return x == 5 && y == 5 ? 0.1 : -0.7; });
+    const DisplacedSurface surface(relief);
+    Uniform uniform(12);
+    for (int k = 0; k < 5000; ++k) {
+        const Vec3 d = -direction(85 * uniform(), 360 * uniform());
+        const Vec3 origin(100 * uniform(), 100 * uniform(), 3);
+        const auto hit = surface.hit(origin, d);
+        ASSERT_TRUE(hit) << d;
+        EXPECT_LE(hit->distance, -3.7 / d.z * (1 + 1e-15));
     }
 }
 
