@@ -1,7 +1,7 @@
 #include "judge/original.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "math/error.h"
 #include "pipeline/file_source.h"
@@ -48,6 +48,19 @@ void color_by_height(const MappedColor& mapped, reference::Relief& relief)
         relief.colors.push_back(mapped.at(height, 0, 0));
 }
 
+/// The same of a map by slope: of the mean slope of each texel.
+void color_by_slope(const MappedColor& mapped, Reconstruction reconstruction, Original& original)
+{
+    const reference::Statistics statistics(statistics_input(original, reconstruction));
+    reference::Relief& relief = original.relief;
+    std::vector<reference::Rgb> colors;
+    colors.reserve(static_cast<size_t>(relief.width) * static_cast<size_t>(relief.height));
+    for (int y = 0; y < relief.height; y += kStripRows)
+        for (const auto& texel : statistics.rows(0, y, std::min(kStripRows, relief.height - y)))
+            colors.push_back(mapped.at(0, texel.mean_slope[0], texel.mean_slope[1]));
+    relief.colors = std::move(colors);
+}
+
 Original read(Source& source, const BakeOptions& options, const BakeMonitor& monitor,
               const ColorMapInput* color_map)
 {
@@ -69,8 +82,10 @@ Original read(Source& source, const BakeOptions& options, const BakeMonitor& mon
         append(rows, original);
         monitor.report("read", static_cast<double>(y) / relief.height);
     }
-    if (surface.mapped)
+    if (surface.mapped && surface.mapped->by == MapBy::height)
         color_by_height(*surface.mapped, relief);
+    else if (surface.mapped)
+        color_by_slope(*surface.mapped, options.reconstruction, original);
     return original;
 }
 
@@ -88,6 +103,17 @@ Original read_original(const BakeOptions& options, const BakeMonitor& monitor)
 Original read_original(Source& source, const BakeOptions& options, const BakeMonitor& monitor)
 {
     return read(source, options, monitor, nullptr);
+}
+
+reference::StatisticsInput statistics_input(const Original& original, Reconstruction reconstruction)
+{
+    reference::StatisticsInput input{original.relief, original.slopes,
+                                     reference::Reconstruction::bilinear};
+    if (reconstruction == Reconstruction::central)
+        input.reconstruction = reference::Reconstruction::central;
+    else if (reconstruction == Reconstruction::sobel)
+        input.reconstruction = reference::Reconstruction::sobel;
+    return input;
 }
 
 } // namespace scree

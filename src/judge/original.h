@@ -5,7 +5,7 @@
 
 #include "pipeline/options.h"
 #include "pipeline/source.h"
-#include "reference/relief.h"
+#include "reference/statistics.h"
 
 namespace scree {
 
@@ -24,5 +24,9 @@ Original read_original(const BakeOptions& options, const BakeMonitor& monitor);
 
 /// The same from any source without a color map.
 Original read_original(Source& source, const BakeOptions& options, const BakeMonitor& monitor);
+
+/// The surface as its statistics by brute force take it.
+reference::StatisticsInput statistics_input(const Original& original,
+                                            Reconstruction reconstruction);
 
 } // namespace scree

@@ -36,7 +36,7 @@ float* place(SetTexel& texel, Map map, size_t i, size_t terms)
         return &texel.coverage;
     case Map::bumpslopes: {
         auto& [s, ss, st, t, tt] = texel.slope;
-        const std::array<float*, 6> all{nullptr, &s, &t, &ss, &tt, &st}; // a world height first
+        const std::array<float*, 6> all{&texel.world_height, &s, &t, &ss, &tt, &st};
         return all[i];
     }
     case Map::map:

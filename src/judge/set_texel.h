@@ -18,6 +18,7 @@ struct SetTexel {
     std::array<float, 3> color_s{}, color_t{};
     std::array<std::array<float, 3>, 8> rank{}; ///< a_1 .. a_8
     float coverage = 1;
+    float world_height = 0; ///< mean, world units; of the bumpslopes layout
 };
 
 /// Puts the channels of a map, in the order of its file, where they belong in a texel; a color
