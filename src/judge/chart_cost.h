@@ -8,9 +8,11 @@
 
 namespace scree {
 
-/// Nanoseconds for one footprint, one view and one light, on one thread.
+/// Nanoseconds for one footprint, one view and one light: processor time of one thread, so that
+/// what else runs on the machine counts little. Over the rounds.
 struct Cost {
-    double median_ns = 0, least_ns = 0, most_ns = 0; ///< of the rounds
+    double median_ns = 0, least_ns = 0, most_ns = 0;
+    double lower_ns = 0, upper_ns = 0; ///< quartiles
 };
 
 constexpr int kCostTexels = 4096; ///< lookups in memory: a tile of 64 x 64 pixels

@@ -30,8 +30,8 @@ report::ChartPoint point_of(const ChartRow& row, size_t band, ErrorKind kind, Co
     point.y = error_of(row.errors[band], kind);
     point.label = row.name;
     if (axis == CostAxis::time) {
-        point.spread_low = row.cost.least_ns;
-        point.spread_high = row.cost.most_ns;
+        point.spread_low = row.cost.lower_ns;
+        point.spread_high = row.cost.upper_ns;
     }
     return point;
 }

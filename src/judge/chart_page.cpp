@@ -28,36 +28,43 @@ std::vector<std::string> how_it_was_measured(const std::vector<AssetChart>& char
     long long rays = 0;
     for (const AssetChart& chart : charts)
         rays += chart.rays;
-    return {
-        fmt::format("Truth: {0} x {0} jittered samples a footprint of the displaced, bilinear "
-                    "surface, with true masking and shadowing; {1:.3g} million rays. Its noise, "
-                    "half the difference of its two halves, is the last line of each table: an "
-                    "error near it is no more than a bound.",
-                    options.grid, static_cast<double>(rays) / 1e6),
-        fmt::format("Footprints: of every level from 4 x 4 texels up {}, or as many as it has; the "
-                    "same for every method. Each is a texel of a set that scree bake made, with "
-                    "nothing blended between texels.",
-                    options.footprints),
-        "Views: two elevations and four azimuths in each band. Lights: one at a time, at 20, 50 "
-        "and 70 degrees from the normal.",
-        fmt::format("Material: color diffuse / pi + f0 specular, f0 {:g} at all angles, facets of "
-                    "Beckmann roughness {:g}. The microfacets of the methods' lobes mask each "
-                    "other, those of the reference's facets do not: what that is worth, the sample "
-                    "plane shows, which has no other error.",
-                    options.material.f0, options.material.base_alpha),
+    const std::string truth = fmt::format(
+        "Truth: {0} x {0} jittered samples a footprint of the displaced, bilinear surface, with "
+        "true masking and shadowing; {1:.3g} million rays. Its noise, half the difference of its "
+        "two halves, is the last line of each table: it is part of every error.",
+        options.grid, static_cast<double>(rays) / 1e6);
+    const std::string footprints = fmt::format(
+        "Footprints: of every level from 4 x 4 texels up {}, or as many as it has; the same for "
+        "every method. Each is a texel of a set that scree bake made, with nothing blended between "
+        "texels.",
+        options.footprints);
+    const std::string directions = "Views: two elevations and four azimuths in each band. Lights: "
+                                   "one at a time, 20, 50 and 70 degrees from the normal.";
+    const std::string material = fmt::format(
+        "Material: color diffuse / pi + f0 specular, f0 {:g} at all angles, facets of Beckmann "
+        "roughness {:g}. The microfacets of the methods' lobes mask each other, those of the "
+        "reference's facets do not; scree chart plane shows what that makes, having no other "
+        "error.",
+        options.material.f0, options.material.base_alpha);
+    const std::string error =
         "Error: root of the mean square over footprints, views, lights, R, G and B, over that of "
-        "the truth. Footprints count by the area that is seen, as they do in a picture.",
-        fmt::format("Time: radiance of one footprint for one view and one light; {} footprints in "
-                    "memory, their lookups filtered already, one after the other; single "
-                    "precision, scalar, one thread; median of {} rounds in which the methods take "
-                    "turns, after a warm-up, with bars from the fastest to the slowest. Of "
-                    "supersampling: the reference renderer's time, rays included.",
-                    kCostTexels, options.rounds),
+        "the truth. Footprints count by the area that is seen, as they do in a picture.";
+    const std::string time = fmt::format(
+        "Time: radiance of one footprint for one view and one light; {} footprints in memory, "
+        "their lookups filtered already, one after the other; single precision, scalar, "
+        "processor time of one thread; median of {} rounds in which the methods take turns, after "
+        "a warm-up; bars hold the middle half of the rounds. Of supersampling: the reference "
+        "renderer's time, rays "
+        "included.",
+        kCostTexels, options.rounds);
+    const std::string bytes =
         "Bytes: of the channels that one lookup reads, in the pixel types that --pixel-type auto "
-        "chose; normals as halves.",
-        "Full markers: no other method is at least as good in both and better in one.",
-        fmt::format("scree {}, {}.", kVersion, kCompiler),
-    };
+        "chose; normals as halves.";
+    const std::string front =
+        "Full markers: no other method is at least as good in both and better in one.";
+    return {truth,    footprints, directions,
+            material, error,      time,
+            bytes,    front,      fmt::format("scree {}, {}.", kVersion, kCompiler)};
 }
 
 } // namespace

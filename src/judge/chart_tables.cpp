@@ -22,7 +22,8 @@ std::vector<std::string> headings()
     for (const char* figure : {"error", "noise"})
         for (const ErrorKind kind : kErrors)
             words.push_back(fmt::format("{}_{}", figure, name_of(kind)));
-    for (const char* word : {"ns_median", "ns_least", "ns_most", "bytes_per_texel"})
+    for (const char* word : {"ns_median", "ns_least", "ns_lower_quartile", "ns_upper_quartile",
+                             "ns_most", "bytes_per_texel"})
         words.emplace_back(word);
     for (const ErrorKind kind : kErrors)
         for (const CostAxis axis : kCosts)
@@ -46,7 +47,8 @@ std::vector<std::string> line_of(const AssetChart& chart, size_t band, const Cha
     for (const RelativeErrors& figures : {row.errors[band], chart.noise[band]})
         for (const ErrorKind kind : kErrors)
             words.push_back(number(error_of(figures, kind)));
-    for (const double cost : {row.cost.median_ns, row.cost.least_ns, row.cost.most_ns, row.bytes})
+    for (const double cost : {row.cost.median_ns, row.cost.least_ns, row.cost.lower_ns,
+                              row.cost.upper_ns, row.cost.most_ns, row.bytes})
         words.push_back(number(cost));
     return words;
 }
