@@ -66,8 +66,7 @@ std::vector<RelativeErrors> rms_differences(const Yardstick& yardstick,
         Squares color, radiance;
         for (size_t f = 0; f < yardstick.truth.size(); ++f) {
             const Appearance& truth = yardstick.truth[f];
-            for (auto v = static_cast<size_t>(band.first);
-                 v < static_cast<size_t>(band.first + band.count); ++v) {
+            for (size_t v = band.first; v < band.first + band.count; ++v) {
                 const double weight = yardstick.area[f][v];
                 color.add(weight, a[f].color[v], b[f].color[v], truth.color[v]);
                 for (size_t i = v * lights; i < (v + 1) * lights; ++i)

@@ -23,9 +23,9 @@ template <class Of>
 std::vector<Appearance> appearances(const std::vector<reference::Estimate>& estimates,
                                     const Material& material, Of of)
 {
-    std::vector<Appearance> all;
-    for (const reference::Estimate& estimate : estimates)
-        all.push_back(appearance_of(of(estimate), material.f0));
+    std::vector<Appearance> all(estimates.size());
+    for (size_t i = 0; i < all.size(); ++i)
+        all[i] = appearance_of(of(estimates[i]), material.f0);
     return all;
 }
 

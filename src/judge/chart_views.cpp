@@ -16,7 +16,7 @@ ChartViews chart_views()
     constexpr std::array<double, 5> kEnds = {0, 30, 60, 75, 85};
     for (size_t b = 0; b + 1 < kEnds.size(); ++b) {
         const double width = kEnds[b + 1] - kEnds[b];
-        all.bands.push_back({kEnds[b], kEnds[b + 1], static_cast<int>(all.views.size()), 8});
+        all.bands.push_back({kEnds[b], kEnds[b + 1], all.views.size(), 8});
         for (const double part : {0.25, 0.75})
             for (int quarter = 0; quarter < 4; ++quarter)
                 all.views.push_back(

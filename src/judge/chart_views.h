@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace scree {
 /// Views between two angles from the normal.
 struct ViewBand {
     double from_deg = 0, to_deg = 0;
-    int first = 0, count = 0; ///< of ChartViews::views
+    size_t first = 0, count = 0; ///< of ChartViews::views
 
     [[nodiscard]] std::string name() const; ///< "60-75"
 };

@@ -21,13 +21,14 @@ bool beats(const CostAndError& a, const CostAndError& b)
 
 std::vector<bool> pareto_front(const std::vector<CostAndError>& ways)
 {
-    std::vector<bool> on_front;
-    for (const CostAndError& way : ways)
-        on_front.push_back(is_comparable(way) && std::none_of(ways.begin(), ways.end(),
-                                                              [&way](const CostAndError& other) {
-                                                                  return is_comparable(other) &&
-                                                                         beats(other, way);
-                                                              }));
+    const auto is_on_front = [&ways](const CostAndError& way) {
+        return is_comparable(way) &&
+               std::none_of(ways.begin(), ways.end(), [&way](const CostAndError& other) {
+                   return is_comparable(other) && beats(other, way);
+               });
+    };
+    std::vector<bool> on_front(ways.size());
+    std::transform(ways.begin(), ways.end(), on_front.begin(), is_on_front);
     return on_front;
 }
 
