@@ -77,19 +77,19 @@ TEST(ChartViews, LieInTheirBands)
 {
     const ChartViews all = chart_views();
     ASSERT_EQ(all.bands.size(), 4U);
-    int next = 0;
+    size_t next = 0;
     for (const ViewBand& band : all.bands) {
         EXPECT_EQ(band.first, next);
         next += band.count;
-        for (int i = band.first; i < next; ++i) {
-            const Vec3& view = all.views[static_cast<size_t>(i)];
+        for (size_t i = band.first; i < next; ++i) {
+            const Vec3& view = all.views[i];
             const double angle = std::acos(view.z) * 180 / 3.14159265358979323846;
             EXPECT_NEAR(view.length(), 1, 1e-12);
             EXPECT_GT(angle, band.from_deg);
             EXPECT_LT(angle, band.to_deg);
         }
     }
-    EXPECT_EQ(static_cast<size_t>(next), all.views.size());
+    EXPECT_EQ(next, all.views.size());
     EXPECT_EQ(all.bands.back().name(), "75-85");
 }
 

@@ -38,7 +38,8 @@ TEST(ColorByHeight, FollowsAFunctionOfHeight)
         colors.push_back({heights.back(), 1 - heights.back(), 0.5});
     }
     const ColorMap map = color_by_height(relief_of(heights, colors), 0, 1);
-    for (double h = 0; h <= 1; h += 0.01) {
+    for (int i = 0; i <= 100; ++i) {
+        const double h = i / 100.0;
         EXPECT_NEAR(map.at(h)[0], h, 0.5 / 256);
         EXPECT_NEAR(map.at(h)[1], 1 - h, 0.5 / 256);
         EXPECT_NEAR(map.at(h)[2], 0.5, 1e-12);

@@ -33,9 +33,9 @@ TEST(MeanNormals, OfAPlaneAreItsNormal)
 
 TEST(MeanNormals, OfAGrooveAreShort)
 {
-    std::vector<Slope> slopes;
-    for (int i = 0; i < 16; ++i)
-        slopes.emplace_back(i % 2 == 0 ? 0.5F : -0.5F, 0.0F);
+    std::vector<Slope> slopes(16, Slope(0.5F, 0));
+    for (size_t i = 1; i < slopes.size(); i += 2)
+        slopes[i].x = -0.5F;
     const MeanNormals normals(flat(4, 4), slopes);
     const Vec3f n = normals.over(reference::footprint_of(4, 4, 1, 1, 0));
     EXPECT_NEAR(n.x, 0, kHalf);

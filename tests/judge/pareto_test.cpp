@@ -9,10 +9,9 @@ namespace {
 
 TEST(Pareto, KeepsWhatNoOtherBeats)
 {
-    const std::vector<CostAndError> ways = {
-        {1, 9}, {2, 5}, {2, 6}, {3, 5}, {4, 1}, {5, 1}, {0.5, 10}};
-    EXPECT_EQ(pareto_front(ways),
-              (std::vector<bool>{true, true, false, false, true, false, true}));
+    const std::vector<CostAndError> ways = {{1, 9}, {2, 5}, {2, 6},   {3, 5},
+                                            {4, 1}, {5, 1}, {0.5, 10}};
+    EXPECT_EQ(pareto_front(ways), (std::vector<bool>{true, true, false, false, true, false, true}));
 }
 
 TEST(Pareto, EqualsStayTogether)
