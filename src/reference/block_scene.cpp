@@ -90,8 +90,10 @@ struct BlockScene::Embree {
     }
     ~Embree()
     {
-        rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
+        if (scene != nullptr)
+            rtcReleaseScene(scene);
+        if (device != nullptr)
+            rtcReleaseDevice(device);
     }
     Embree(const Embree&) = delete;
     Embree& operator=(const Embree&) = delete;

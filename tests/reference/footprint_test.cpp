@@ -87,6 +87,9 @@ TEST(Footprint, PositionsInvertTheShareThatLiesBefore)
     EXPECT_LT(position_at(shares, std::nextafter(1, 0)), 7);
     EXPECT_LT(position_at(shares, std::nextafter(0.25, 0)), 4); // colors change there
 
+    const AxisShares tenths{0, std::vector<double>(10, 0.1)}; // adds up to less than 1
+    EXPECT_LT(position_at(tenths, std::nextafter(1, 0)), 10);
+
     // Any footprint: the share before the position of u is u.
     const AxisShares level = axis_shares(1000, 7, 3);
     test::Uniform uniform(1);
