@@ -24,8 +24,8 @@ constexpr double kFloatLost = 0.125;
 /// Of tau in float: the inverse of a thin covariance multiplies the rounding of the moments, 1e-16,
 /// by (trace^2 / det)^2, up to 1e12.
 constexpr double kTailTolerance = 1e-4;
-/// Rank tables of levels beyond this are made of summaries of 512 steps (docs/statistics.md). Each
-/// moves a rank by 1 / 512 at most; 8 terms of colors that jump with height were off by 3e-3.
+/// Rank tables of levels beyond this are made of summaries of 512 steps (docs/statistics.md), of
+/// which each moves a rank by 1/512 at most.
 constexpr int kExactRankLevels = 6;
 constexpr double kRankSummaries = 2.0 / 512;
 /// Texels of truth held at a time.
