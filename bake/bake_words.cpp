@@ -231,7 +231,7 @@ BakeOptions options_of_manifest(const Manifest& manifest, const InputFiles& file
     o.height_offset = manifest.height_offset;
     o.wrap_s = wrap_named(manifest.wrap_s);
     o.wrap_t = wrap_named(manifest.wrap_t);
-    if (manifest.has_height)
+    if (!o.normal_input)
         o.reconstruction = reconstruction_named(manifest.reconstruction);
     o.texel_size = {manifest.texel_width, manifest.texel_height};
     o.world_size.reset();

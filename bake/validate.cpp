@@ -130,6 +130,8 @@ void print(const Validation& validation, const Manifest& manifest)
                    views.samples, views.rays, views.seconds,
                    static_cast<double>(views.samples) / views.seconds / 1e6);
     }
+    if (!validation.without_views.empty())
+        fmt::print("what views see was not compared: {}\n", validation.without_views);
     for (const std::string& flag : validation.flags)
         fmt::print("note: {}\n", flag);
 }

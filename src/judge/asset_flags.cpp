@@ -104,10 +104,9 @@ void flag_heights(const AssetMeasures& asset, Flags& flags)
 
 } // namespace
 
-std::vector<std::string> asset_flags(const Manifest& manifest, const Original& original)
+std::vector<std::string> asset_flags(const Original& original, Reconstruction reconstruction)
 {
-    const AssetMeasures asset =
-        measure_asset(original, reconstruction_named(manifest.reconstruction));
+    const AssetMeasures asset = measure_asset(original, reconstruction);
     Flags flags;
     flag_size(asset, flags);
     flag_slopes(asset, flags);

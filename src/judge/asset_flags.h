@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "judge/original.h"
-#include "texset/manifest.h"
 
 namespace scree {
 
@@ -14,6 +13,6 @@ namespace scree {
 /// Looked for (judge/asset_measures.h; limits and their reasons in the source): few texels, steep
 /// slopes, kurtosis far below 8 or above 16, slopes in little of the area, one direction, two modes
 /// of the heights, steepness that goes with height, terraces.
-std::vector<std::string> asset_flags(const Manifest& manifest, const Original& original);
+std::vector<std::string> asset_flags(const Original& original, Reconstruction reconstruction);
 
 } // namespace scree

@@ -18,9 +18,14 @@ namespace {
 constexpr double kFloatTolerance = 1e-5;
 /// Of a stored number, relative: twice its rounding, since a covariance takes two of them.
 constexpr double kFloatRounding = 0x1p-23;
-/// Where rounding is more, float cannot hold the map. A plane's slope has no variance but rounding,
-/// and is let pass: two roundings over 1e-6 of the mean square, the yardstick's least.
+/// Where rounding is more, float cannot hold the map.
 constexpr double kFloatLost = 0.125;
+/// The covariance of slopes takes up to four units in the last place: one by rounding, three so
+/// that no variance and no determinant comes out negative (docs/texture-set.md).
+constexpr double kCovarianceRounding = 0x1p-21;
+/// A plane's slope has no variance but rounding, and is let pass: four units over 1e-6 of the mean
+/// square, the yardstick's least.
+constexpr double kCovarianceLost = 0.5;
 /// Of tau in float: the inverse of a thin covariance multiplies the rounding of the moments, 1e-16,
 /// by (trace^2 / det)^2, up to 1e12.
 constexpr double kTailTolerance = 1e-4;
@@ -98,7 +103,10 @@ double tolerance_of(const Figure& figure, int level, double relative_magnitude,
         figure.map == Map::rank && level > kExactRankLevels ? kRankSummaries : 0;
     if (figure.type == PixelType::half)
         return half_tolerance + of_float + of_summaries;
-    return std::clamp(kFloatRounding * relative_magnitude, of_float, kFloatLost) + of_summaries;
+    const bool is_covariance = figure.yardstick == Yardstick::variance;
+    const double rounding = is_covariance ? kCovarianceRounding : kFloatRounding;
+    const double lost = is_covariance ? kCovarianceLost : kFloatLost;
+    return std::clamp(rounding * relative_magnitude, of_float, lost) + of_summaries;
 }
 
 /// error / yardstick; 0 where there is no error and nothing to hold it against.

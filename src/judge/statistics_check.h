@@ -29,10 +29,11 @@ struct StatisticsFigure {
 /// A product with another texture's mean is held against the true mean.
 ///
 /// Tolerances: of half textures what the set was baked for (Manifest::half_tolerance); of float
-/// ones 1e-5, tau 1e-4, or two roundings of the numbers stored where these are far above the
-/// yardstick, 1/8 at most. Rank tables coarser than 64x64 texels have 2/512 more.
-/// Not compared: tau where the covariance is thin to within 0.1 % of the limit or nothing but
-/// rounding; the color of texels without data of sets with a color map; the table of a color map.
+/// ones 1e-5, tau 1e-4, or where the numbers stored are far above the yardstick one unit in their
+/// last place (of slope covariances four), 1/8 of it at most (1/2). Rank tables coarser than 64x64
+/// texels have 2/512 more. Not compared: tau where the covariance is thin to within 0.1 % of the
+/// limit or nothing but rounding; the color of texels without data of sets with a color map; the
+/// table of a color map.
 ///
 /// progress  is told the share done, in [0, 1]; it may throw to stop
 /// Throws Error where the set cannot be read, or is not of the original's size.

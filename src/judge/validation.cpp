@@ -76,8 +76,12 @@ Validation validate(SetReader& set, const Original& original, const BakeOptions&
     found.statistics =
         check_statistics(set, original, options, told(monitor, "compare the statistics"));
     judge(found.statistics, plan.tolerances.statistics, found.exceeded);
-    found.flags = asset_flags(manifest, original);
-    if (!plan.views || original.relief.heights.empty() || !has(manifest, Map::slope))
+    found.flags = asset_flags(original, options.reconstruction);
+    if (original.relief.heights.empty())
+        found.without_views = "a normal map has no heights to cast rays at";
+    else if (!has(manifest, Map::slope) && !has(manifest, Map::bumpslopes))
+        found.without_views = "the set has no slopes to tell what a view sees";
+    if (!plan.views || !found.without_views.empty())
         return found;
 
     reference::Relief relief = original.relief;

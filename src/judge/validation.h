@@ -32,7 +32,8 @@ struct ValidationPlan {
 /// What came of it.
 struct Validation {
     std::vector<StatisticsFigure> statistics;
-    std::optional<ViewCheck> views; ///< absent: not asked for, or there are no heights
+    std::optional<ViewCheck> views; ///< absent: not asked for, or not possible
+    std::string without_views;      ///< why it was not possible; empty: it was
     std::vector<TexelImages> images;
     std::vector<std::string> flags;    ///< what about the asset no model shows well
     std::vector<std::string> exceeded; ///< tolerances; empty: the set is valid

@@ -78,6 +78,8 @@ std::string to_page(const Validation& validation, const ValidationPlan& plan,
         "Every texel of every level against sums over the inputs themselves. Errors "
         "are those of what a reader recovers, over the yardstick of docs/texture-set.md.");
     page.add(statistics_table(validation.statistics));
+    if (!validation.without_views.empty())
+        page.paragraph("What views see was not compared: " + validation.without_views + ".");
     if (validation.views)
         add_views(*validation.views, plan.view, page);
     for (const TexelImages& images : validation.images)

@@ -53,9 +53,7 @@ bool says(const std::vector<std::string>& flags, const std::string& words)
 
 std::vector<std::string> flags_of(const Original& original)
 {
-    Manifest manifest;
-    manifest.reconstruction = "bilinear";
-    return asset_flags(manifest, original);
+    return asset_flags(original, Reconstruction::bilinear);
 }
 
 TEST(AssetMeasures, OfHeightsWithKnownLawsAreTheirClosedForms)
