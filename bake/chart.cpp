@@ -1,4 +1,4 @@
-#include "judge/chart.h"
+#include "chart/chart.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include "bake/supervisor.h"
 #include "bake/terminal.h"
 #include "bake/text_file.h"
-#include "judge/chart_report.h"
+#include "chart/report.h"
 #include "sample/field.h"
 
 namespace scree::tool {

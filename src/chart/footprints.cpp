@@ -1,0 +1,128 @@
+#include "chart/footprints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "chart/height_regression.h"
+#include "chart/mean_normals.h"
+#include "chart/temp_folder.h"
+#include "judge/picked_texels.h"
+#include "judge/set_reader.h"
+#include "math/error.h"
+#include "pipeline/bake.h"
+#include "texset/mip_reader.h"
+
+namespace scree {
+
+namespace {
+
+constexpr int kFinestLevel = 2; ///< footprints of 4 x 4 texels
+
+/// A set of the asset in a folder that goes with it.
+class TempSet {
+public:
+    TempSet(const Asset& asset, std::vector<Map> maps, Reconstruction reconstruction,
+            const BakeMonitor& monitor)
+    {
+        BakeOptions options = asset.options;
+        options.output = folder_.path() / "set";
+        options.maps = std::move(maps);
+        options.rank_terms = 8;
+        options.reconstruction = reconstruction;
+        Manifest start;
+        start.name = "asset";
+        AssetSource source(asset);
+        manifest_ = bake(source, options, start, monitor);
+    }
+
+    [[nodiscard]] std::filesystem::path folder() const { return folder_.path() / "set"; }
+    [[nodiscard]] const Manifest& manifest() const { return manifest_; }
+
+    [[nodiscard]] const TextureRecord& texture(Map map) const
+    {
+        return *std::find_if(manifest_.textures.begin(), manifest_.textures.end(),
+                             [map](const TextureRecord& texture) { return texture.map == map; });
+    }
+
+private:
+    TempFolder folder_;
+    Manifest manifest_;
+};
+
+std::map<MethodTexture, PixelType> types_of(const TempSet& set, const TempSet& sobel)
+{
+    return {{MethodTexture::normal, PixelType::half},
+            {MethodTexture::slope, set.texture(Map::slope).type},
+            {MethodTexture::sobel, sobel.texture(Map::slope).type},
+            {MethodTexture::tail, set.texture(Map::tail).type},
+            {MethodTexture::height, set.texture(Map::height).type},
+            {MethodTexture::color, set.texture(Map::color).type},
+            {MethodTexture::colorheight, set.texture(Map::colorheight).type},
+            {MethodTexture::colorslope, set.texture(Map::colorslope).type},
+            {MethodTexture::rank, set.texture(Map::rank).type}};
+}
+
+/// Mean slopes of all texels of level 0.
+std::vector<filter::Vec2<float>> finest_slopes(const TempSet& set)
+{
+    const TextureRecord& texture = set.texture(Map::slope);
+    MipReader reader(set.folder() / texture.file);
+    const size_t channels = reader.channels().size();
+    const auto place = [&reader](const char* name) {
+        const auto& all = reader.channels();
+        return static_cast<size_t>(std::find(all.begin(), all.end(), name) - all.begin());
+    };
+    const size_t s = place("s"), t = place("t");
+    std::vector<filter::Vec2<float>> slopes;
+    for (int y = 0; y < reader.height(0); ++y) {
+        const std::vector<float> row = reader.rows(0, y, 1);
+        for (size_t i = 0; i < row.size(); i += channels)
+            slopes.emplace_back(row[i + s], row[i + t]);
+    }
+    return slopes;
+}
+
+} // namespace
+
+ChartFootprints bake_footprints(const Asset& asset, int count, uint64_t seed,
+                                const BakeMonitor& monitor)
+{
+    const reference::Relief& relief = asset.relief;
+    if (std::min(relief.width, relief.height) < 1 << kFinestLevel)
+        throw Error(fmt::format("{}: is {}x{} texels; expected at least {}x{}, the smallest "
+                                "footprint of a chart",
+                                asset.name, relief.width, relief.height, 1 << kFinestLevel,
+                                1 << kFinestLevel));
+    const TempSet set(asset,
+                      {Map::slope, Map::height, Map::color, Map::colorheight, Map::colorslope,
+                       Map::rank, Map::tail},
+                      Reconstruction::bilinear, monitor);
+    const TempSet sobel(asset, {Map::slope}, Reconstruction::sobel, monitor);
+    const MeanNormals normals(relief, finest_slopes(set));
+
+    ChartFootprints all;
+    all.types = types_of(set, sobel);
+    all.height_colors =
+        filtered_by_height(color_by_height(relief, set.manifest().h0, set.manifest().h1));
+    SetReader reader(set.folder()), sobel_reader(sobel.folder());
+    for (PickedTexel& picked : pick_texels(reader, kFinestLevel, count, seed)) {
+        FootprintData data;
+        data.set = picked.texel;
+        data.sobel = sobel_reader.row(picked.level, picked.y)[static_cast<size_t>(picked.x)].slope;
+        data.normal = normals.over(picked.footprint);
+        all.data.push_back(data);
+        all.places.push_back(std::move(picked.footprint));
+    }
+    return all;
+}
+
+int bytes_per_texel(const Method& method, const std::map<MethodTexture, PixelType>& types)
+{
+    int bytes = 0;
+    for (const Reading& reading : method.reads)
+        bytes += reading.channels * static_cast<int>(pixel_bytes(types.at(reading.texture)));
+    return bytes;
+}
+
+} // namespace scree

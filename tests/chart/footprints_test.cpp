@@ -1,0 +1,99 @@
+#include "chart/footprints.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace scree {
+namespace {
+
+/// Mean over a footprint of a figure of its texels, by the definition.
+template <class Figure>
+double mean_over(const reference::Footprint& footprint, Figure figure)
+{
+    double sum = 0;
+    for (size_t j = 0; j < footprint.t.share.size(); ++j)
+        for (size_t i = 0; i < footprint.s.share.size(); ++i)
+            sum += footprint.t.share[j] * footprint.s.share[i] *
+                   figure(footprint.s.first + static_cast<int>(i),
+                          footprint.t.first + static_cast<int>(j));
+    return sum;
+}
+
+class ChartFootprintsTest : public testing::Test {
+protected:
+    static constexpr int kSize = 36; ///< 9 x 9, 4 x 4, 2 x 2 and 1 x 1 footprints, some uneven
+
+    const Asset asset = sample_asset("fractal", kSize);
+    const ChartFootprints all = bake_footprints(asset, 20, 1, {});
+
+    /// The map is periodic.
+    [[nodiscard]] size_t texel(int x, int y) const
+    {
+        const auto row = static_cast<size_t>((y + kSize) % kSize);
+        return row * kSize + static_cast<size_t>((x + kSize) % kSize);
+    }
+    [[nodiscard]] double height(int x, int y) const { return asset.relief.heights[texel(x, y)]; }
+};
+
+TEST_F(ChartFootprintsTest, AreOfEveryLevelFromFourTexelsUp)
+{
+    ASSERT_EQ(all.places.size(), 20U + 16 + 4 + 1);
+    ASSERT_EQ(all.data.size(), all.places.size());
+    for (const reference::Footprint& place : all.places)
+        EXPECT_GE(place.s.share.size(), 4U);
+}
+
+// Tolerances: what half storage costs, 2^-11 of the number.
+TEST_F(ChartFootprintsTest, HoldWhatTheTexelsHold)
+{
+    for (size_t f = 0; f < all.places.size(); ++f) {
+        const double green = mean_over(
+            all.places[f], [this](int x, int y) { return asset.relief.colors[texel(x, y)][1]; });
+        EXPECT_NEAR(all.data[f].set.color[1] / green, 1, 6e-4) << f;
+    }
+}
+
+// Oracle: the 3 x 3 Sobel operator, rows 1 2 1 over 8, on the heights themselves.
+TEST_F(ChartFootprintsTest, HaveTheMomentsOfSobelSlopes)
+{
+    const auto slope_s = [this](int x, int y) {
+        const double rise = height(x + 1, y - 1) - height(x - 1, y - 1) +
+                            2 * (height(x + 1, y) - height(x - 1, y)) + height(x + 1, y + 1) -
+                            height(x - 1, y + 1);
+        return rise / 8 / asset.relief.texel_width;
+    };
+    for (size_t f = 0; f < all.places.size(); ++f) {
+        const double mean = mean_over(all.places[f], slope_s);
+        const double square =
+            mean_over(all.places[f], [&](int x, int y) { return std::pow(slope_s(x, y), 2); });
+        EXPECT_NEAR(all.data[f].sobel.s, mean, 1e-3 * std::sqrt(square)) << f;
+        EXPECT_NEAR(all.data[f].sobel.ss / square, 1, 1e-3) << f;
+        EXPECT_LT(all.data[f].sobel.ss, all.data[f].set.slope.ss) << "Sobel smooths";
+    }
+}
+
+// Of a rough surface normals are no plane's; their mean points where the mean slope does.
+TEST_F(ChartFootprintsTest, HaveShortenedNormals)
+{
+    for (size_t f = 0; f < all.places.size(); ++f) {
+        const FootprintData& data = all.data[f];
+        EXPECT_LT(data.normal.length(), 1.0005F) << f;
+        const auto slopes = filter::slopes(data.set.slope);
+        const float spread = slopes.covariance.ss + slopes.covariance.tt;
+        EXPECT_NEAR(-data.normal.x / data.normal.z, slopes.mean.x, spread) << f;
+        EXPECT_NEAR(-data.normal.y / data.normal.z, slopes.mean.y, spread) << f;
+    }
+    EXPECT_LT(all.data.back().normal.length(), 0.98F) << "the whole map";
+}
+
+TEST_F(ChartFootprintsTest, HaveColorsForAllHeights)
+{
+    for (const FootprintData& data : all.data) {
+        EXPECT_GE(data.set.h, all.height_colors.low);
+        EXPECT_LE(data.set.h, all.height_colors.high);
+    }
+}
+
+} // namespace
+} // namespace scree
