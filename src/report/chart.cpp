@@ -36,7 +36,7 @@ public:
           x_(shown_x(chart), chart.x.logarithmic, std::max(2, chart.width / 85)),
           y_(shown_y(chart), chart.y.logarithmic, std::max(2, chart.height / 65))
     {
-        constexpr double kAxisLabel = 36, kRight = 20, kSmallest = 40;
+        constexpr double kAxisLabel = 36, kRight = 36, kSmallest = 40;
         double widest = 0;
         for (const auto& tick : y_.ticks())
             widest = std::max(widest, text_width(tick.text, kFontSize));
