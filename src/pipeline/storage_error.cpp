@@ -30,6 +30,21 @@ double covariance_error(double x, double y, double xy, double truth)
 
 } // namespace
 
+/// Of world heights, as bumpslopes has them, over their deviation h1.
+template <class Store>
+double StorageError::world_height_error(MomentRow row, int count) const
+{
+    const double* heights = row.plane(layout_.height);
+    double largest = 0;
+    for (int i = 0; i < count; ++i) {
+        const double height = scale_.h0 + scale_.h1 * heights[i];
+        const double stored = Store::value(Store::nearest(height));
+        // Beyond the range, where it is infinite: lost.
+        largest = std::max(largest, std::isfinite(stored) ? std::abs(stored - height) : kLost);
+    }
+    return largest / scale_.h1;
+}
+
 template <class Store>
 double StorageError::largest_error(MomentRow row, int count) const
 {
@@ -115,6 +130,10 @@ void StorageError::texels(int level, int /*y*/, int x0, int count, MomentRow row
         own.half = std::max(own.half, largest_error<StoreHalf>(row.from(x), run));
         own.single = std::max(own.single, largest_error<StoreFloat>(row.from(x), run));
     }
+    if (map_ == Map::bumpslopes && scale_.has_height) {
+        own.half_height = std::max(own.half_height, world_height_error<StoreHalf>(row, count));
+        own.single_height = std::max(own.single_height, world_height_error<StoreFloat>(row, count));
+    }
     auto raise = [count](double& largest, const double* values) {
         for (int i = 0; i < count; ++i)
             largest = std::max(largest, std::abs(values[i]));
@@ -149,6 +168,8 @@ StorageError::Largest StorageError::largest_of(size_t level) const
     for (const Largest& block : blocks_[level]) {
         all.half = std::max(all.half, block.half);
         all.single = std::max(all.single, block.single);
+        all.half_height = std::max(all.half_height, block.half_height);
+        all.single_height = std::max(all.single_height, block.single_height);
         all.variance = std::max(all.variance, block.variance);
         all.square = std::max(all.square, block.square);
         all.color = std::max(all.color, block.color);
@@ -182,7 +203,7 @@ double StorageError::yardstick(const Largest& level, const Largest& next) const
     return 1;
 }
 
-double StorageError::relative(double Largest::*error) const
+double StorageError::relative(double Largest::*error, double Largest::*height_error) const
 {
     double largest = 0;
     for (size_t l = 0; l < blocks_.size(); ++l) {
@@ -190,12 +211,16 @@ double StorageError::relative(double Largest::*error) const
         const Largest next = largest_of(std::min(l + 1, blocks_.size() - 1));
         if (level.*error > 0)
             largest = std::max(largest, level.*error / yardstick(level, next));
+        largest = std::max(largest, level.*height_error);
     }
     return std::min(largest, kLost);
 }
 
-double StorageError::half_error() const { return relative(&Largest::half); }
+double StorageError::half_error() const { return relative(&Largest::half, &Largest::half_height); }
 
-double StorageError::float_error() const { return relative(&Largest::single); }
+double StorageError::float_error() const
+{
+    return relative(&Largest::single, &Largest::single_height);
+}
 
 } // namespace scree

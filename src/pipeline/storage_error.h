@@ -13,7 +13,8 @@ namespace scree {
 /// texels of all levels:
 ///   slope, bumpslopes  covariance (ss, tt, st), over the largest variance of its level or of the
 ///                      next, which filtering between texels brings in (one slope a texel, as of
-///                      normal maps, has no variance of its own at level 0)
+///                      normal maps, has no variance of its own at level 0); of bumpslopes
+///                      also the world height, over its deviation over the map
 ///   height             variance of hn, over 1 (the variance of the whole map, by normalisation)
 ///   color              mean color, over the largest of the map
 ///   colorheight        covariance with hn, over the map's standard deviation of color, or a tenth
@@ -38,15 +39,18 @@ public:
 private:
     /// Largest figures of one block of columns of one level.
     struct Largest {
-        double half = 0, single = 0;     ///< absolute errors
-        double variance = 0, square = 0; ///< of the slope
+        double half = 0, single = 0;               ///< absolute errors
+        double half_height = 0, single_height = 0; ///< of world heights, over h1
+        double variance = 0, square = 0;           ///< of the slope
         double color = 0;
     };
     template <class Store>
     double largest_error(MomentRow row, int count) const;
+    template <class Store>
+    double world_height_error(MomentRow row, int count) const;
     [[nodiscard]] Largest largest_of(size_t level) const;
     [[nodiscard]] double yardstick(const Largest& level, const Largest& next) const;
-    [[nodiscard]] double relative(double Largest::*error) const;
+    [[nodiscard]] double relative(double Largest::*error, double Largest::*height_error) const;
 
     Map map_;
     MomentLayout layout_;

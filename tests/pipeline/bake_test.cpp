@@ -229,6 +229,29 @@ TEST(Bake, AutoTakesFloatForSteepOrFaintSlopesAndHalfForOrdinaryOnes)
     }
 }
 
+TEST(Bake, BumpslopesAreFloatWhereHalfLosesTheWorldHeights)
+{
+    struct Case {
+        double offset;
+        PixelType expected;
+    };
+    // Half resolves 2^-10 of the height: the last two beyond a hundredth of the deviation, one of
+    // them beyond the largest half.
+    for (const Case& k : {Case{0, PixelType::half}, Case{1000, PixelType::float32},
+                          Case{1e6, PixelType::float32}}) {
+        OracleCase c = random_case(40, 24, 5);
+        MemorySource source = c.source();
+        for (double& height : source.heights)
+            height += k.offset;
+        const TempFolder temp;
+        c.options.output = temp / "set";
+        c.options.layout = Layout::bumpslopes;
+        c.options.pixel_type = PixelTypeChoice::automatic;
+        const Manifest manifest = bake(source, c.options, {});
+        EXPECT_EQ(manifest.textures.front().type, k.expected) << k.offset;
+    }
+}
+
 TEST(Bake, MeasuredErrorIsTheOneTheFilesHave)
 {
     for (const auto type : {PixelTypeChoice::half, PixelTypeChoice::float32}) {
