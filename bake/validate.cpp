@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "bake/bake_words.h"
@@ -155,6 +155,18 @@ Validation validated(const ValidateWords& words, SetReader& set)
     return validate(set, original, options, plan, monitor);
 }
 
+/// The first few, for an error's one line; the page and the JSON have all.
+std::string some_of(const std::vector<std::string>& exceeded)
+{
+    constexpr size_t kMost = 3;
+    std::string words;
+    for (size_t i = 0; i < std::min(exceeded.size(), kMost); ++i)
+        words += (i > 0 ? "; " : "") + exceeded[i];
+    if (exceeded.size() > kMost)
+        words += fmt::format("; and {} more (see --json or --report)", exceeded.size() - kMost);
+    return words;
+}
+
 void run(CLI::App& command, ValidateWords& words)
 {
     if (!words.recipe.empty())
@@ -173,12 +185,9 @@ void run(CLI::App& command, ValidateWords& words)
         write_text(json, words.json);
     if (!words.quiet && words.json != "-")
         print(validation, set.manifest());
-    if (!validation.exceeded.empty()) {
-        std::string all;
-        for (const std::string& what : validation.exceeded)
-            all += (all.empty() ? "" : "; ") + what;
-        throw Error(fmt::format("{}: out of tolerance: {}", words.set.string(), all));
-    }
+    if (!validation.exceeded.empty())
+        throw Error(fmt::format("{}: out of tolerance: {}", words.set.string(),
+                                some_of(validation.exceeded)));
 }
 
 } // namespace
