@@ -63,7 +63,7 @@ std::vector<std::string> scale_warnings(const Manifest& manifest, const BakeOpti
                                  (1 / (manifest.texel_width * manifest.texel_width) +
                                   1 / (manifest.texel_height * manifest.texel_height));
         const double share = std::min(1.0, explained / (*top.slope_sigma * *top.slope_sigma));
-        warnings.push_back(fmt::format("{}-bit heights: quantisation alone explains {:.2g} % of "
+        warnings.push_back(fmt::format("{}-bit heights: quantisation alone explains {:.3g} % of "
                                        "the slope variance; use 16 bits or float if it matters",
                                        manifest.integer_bits, 100 * share));
     }
