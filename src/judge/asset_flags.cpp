@@ -27,6 +27,7 @@ constexpr double kCracks = 0.25;
 constexpr double kSteeperWithHeight = 0.45;
 /// Of deviations: a variance 6 times the other.
 constexpr double kOneDirection = 2.5;
+constexpr double kOnlyDirection = 1000;
 /// As many as 8 bits have, and a third of the neighbours alike.
 constexpr size_t kFewHeights = 256;
 constexpr double kTerraces = 1.0 / 3;
@@ -70,11 +71,16 @@ void flag_slopes(const AssetMeasures& asset, Flags& flags)
                         "slopes): plateaus with steep edges hide less than their slopes tell; "
                         "masking, and color by height with it, errs in grazing views",
                         100 * asset.steep_share));
-    if (asset.slope_ratio > kOneDirection)
-        flags.push_back(fmt::format("slopes at {:.0f} degrees from +s towards +t are {:.1f} times "
-                                    "those across: what is averaged over azimuths fits no view; "
-                                    "look at views along and across",
-                                    asset.azimuth_deg, asset.slope_ratio));
+    if (asset.slope_ratio > kOneDirection) {
+        const std::string across =
+            asset.slope_ratio > kOnlyDirection
+                ? "are all there is"
+                : fmt::format("are {:.1f} times those across", asset.slope_ratio);
+        flags.push_back(fmt::format("slopes at {:.0f} degrees from +s towards +t {}: what is "
+                                    "averaged over azimuths fits no view; look at views along and "
+                                    "across",
+                                    asset.azimuth_deg, across));
+    }
 }
 
 void flag_heights(const AssetMeasures& asset, Flags& flags)

@@ -75,21 +75,19 @@ HeightSteps steps_of(const reference::Relief& relief)
 
     const auto width = static_cast<size_t>(relief.width),
                height = static_cast<size_t>(relief.height);
-    size_t pairs = 0, level = 0;
-    auto compare = [&](double a, double b) {
-        pairs += std::isfinite(a - b) ? 1 : 0;
-        level += a == b ? 1 : 0;
+    auto level_along = [&](size_t columns, size_t rows, size_t step) {
+        size_t pairs = 0, level = 0;
+        for (size_t y = 0; y < rows; ++y)
+            for (size_t x = 0; x < columns; ++x) {
+                const size_t i = y * width + x;
+                const double a = relief.heights[i], b = relief.heights[i + step];
+                pairs += std::isfinite(a - b) ? 1 : 0;
+                level += a == b ? 1 : 0;
+            }
+        return pairs > 0 ? static_cast<double>(level) / static_cast<double>(pairs) : 0;
     };
-    for (size_t y = 0; y < height; ++y)
-        for (size_t x = 0; x < width; ++x) {
-            const size_t i = y * width + x;
-            if (x + 1 < width)
-                compare(relief.heights[i], relief.heights[i + 1]);
-            if (y + 1 < height)
-                compare(relief.heights[i], relief.heights[i + width]);
-        }
-    if (pairs > 0)
-        steps.level_share = static_cast<double>(level) / static_cast<double>(pairs);
+    steps.level_share =
+        std::min(level_along(width - 1, height, 1), level_along(width, height - 1, width));
     return steps;
 }
 

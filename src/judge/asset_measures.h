@@ -18,8 +18,10 @@ struct HeightModes {
 
 /// Heights as numbers.
 struct HeightSteps {
-    size_t values = 0;      ///< different ones
-    double level_share = 0; ///< of neighbours along s or t, those of equal height
+    size_t values = 0; ///< different ones
+    /// Of neighbours those of equal height, along s or along t, whichever has fewer: grooves are
+    /// level along themselves.
+    double level_share = 0;
 };
 
 /// Figures of a surface that its models stand or fall with.

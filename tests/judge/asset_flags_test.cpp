@@ -71,6 +71,7 @@ TEST(AssetMeasures, OfHeightsWithKnownLawsAreTheirClosedForms)
     const auto sine = measured(
         surface_of(512, 2, [](int x, int) { return std::sin(2 * kPi * (x + 0.5) / 512); }));
     EXPECT_NEAR(sine.modes->explained, 8 / (kPi * kPi), 1e-4);
+    EXPECT_LT(sine.steps->level_share, 0.01); // though level along t
     // Two heights, nothing else, as a checkerboard of 3x3 and in 9 of 36 parts.
     const auto two = measured(surface_of(
         60, 60, [](int x, int y) { return x / 3 % 2 == 1 && y / 3 % 2 == 1 ? 4.0 : 1.0; }));
