@@ -22,10 +22,11 @@ bool has(const Manifest& manifest, Map map)
                        [map](const TextureRecord& texture) { return texture.map == map; });
 }
 
-/// What is left of an error without the reference's own noise.
+/// What is left of an error without the reference's own noise; a NaN stays one.
 double own_error(const ViewError& error)
 {
-    return std::sqrt(std::max(error.set * error.set - error.noise * error.noise, 0.0));
+    const double square = error.set * error.set - error.noise * error.noise;
+    return square < 0 ? 0 : std::sqrt(square);
 }
 
 void judge(const ViewCheck& check, const char* name, ViewError ViewErrors::*figure,
@@ -35,7 +36,7 @@ void judge(const ViewCheck& check, const char* name, ViewError ViewErrors::*figu
         return;
     for (const ViewErrors& errors : check.all) {
         const double error = own_error(errors.*figure);
-        if (errors.angle_deg >= 0 && error > *tolerance)
+        if (errors.angle_deg >= 0 && !(error <= *tolerance)) // a NaN is out of it
             exceeded.push_back(fmt::format("{} at {:g} degrees: rms error {:.4f}, tolerance {:g}",
                                            name, errors.angle_deg, error, *tolerance));
     }
