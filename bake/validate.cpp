@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -115,6 +116,20 @@ void add_options(CLI::App& command, ValidateWords& words)
                       "no progress, no tables; the exit status says it all");
 }
 
+/// What the options' own checks let pass: a NaN is outside no range, and a range of --light would
+/// hold for its azimuth too.
+void expect_sensible(const ValidateWords& words)
+{
+    const ViewPlan& view = words.plan.view;
+    auto is_above = [](double angle_deg) { return angle_deg >= 0 && angle_deg <= 89; };
+    if (!std::all_of(view.angles_deg.begin(), view.angles_deg.end(), is_above))
+        throw UsageError("--view-angles: expected 0 to 89 degrees from the normal");
+    if (!words.light.empty() && !(is_above(words.light[0]) && std::isfinite(words.light[1])))
+        throw UsageError("--light: expected 0 to 89 degrees from the normal, and an azimuth");
+    if (!std::isfinite(view.material.base_alpha + view.material.f0))
+        throw UsageError("--base-alpha, --f0: expected numbers");
+}
+
 void print(const Validation& validation, const Manifest& manifest)
 {
     fmt::print("{}: {}x{}, {} levels\n\n", manifest.name, manifest.width, manifest.height,
@@ -171,6 +186,7 @@ void run(CLI::App& command, ValidateWords& words)
 {
     if (!words.recipe.empty())
         apply_validate_table(command, words.recipe, kPathKeys);
+    expect_sensible(words);
     if (!words.light.empty())
         words.plan.view.lights_deg = {{words.light[0], words.light[1]}};
     const ThreadLimit limit(words.threads);
