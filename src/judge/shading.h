@@ -39,6 +39,12 @@ struct SetColors {
 
     /// What a renderer would take: the table of a color map, ranks, the line, the mean.
     [[nodiscard]] ColorModel best() const { return models.back(); }
+
+    /// Whether a renderer adds the correlation with slope: a color map by slope has it already.
+    [[nodiscard]] bool adds_slope(ColorModel model) const
+    {
+        return has_slope && (model != ColorModel::map || map_by == "height");
+    }
 };
 
 /// Slopes of a texel as a renderer makes them of its moments.

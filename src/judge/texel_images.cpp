@@ -34,7 +34,9 @@ Rgbf shown(const SetTexel& texel, const SetColors& colors, const Material& mater
 {
     const auto slopes = slopes_of(texel);
     const float exponent = filter::masking(wo, slopes).lambda + filter::masking(wi, slopes).lambda;
-    return radiance(slopes, visible_color(texel, colors, colors.best(), false, wo, exponent),
+    const ColorModel best = colors.best();
+    return radiance(slopes,
+                    visible_color(texel, colors, best, colors.adds_slope(best), wo, exponent),
                     material, wo, wi);
 }
 

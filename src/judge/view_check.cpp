@@ -102,7 +102,9 @@ private:
     {
         sums.models.resize(colors_.models.size());
         for (size_t m = 0; m < colors_.models.size(); ++m) {
-            const Rgbf shown = visible_color(texel, colors_, colors_.models[m], false, wo, lambda);
+            const ColorModel model = colors_.models[m];
+            const Rgbf shown =
+                visible_color(texel, colors_, model, colors_.adds_slope(model), wo, lambda);
             const bool is_best = m + 1 == colors_.models.size();
             for (size_t i = 0; i < 3; ++i) {
                 const double error = static_cast<double>(shown[i]) - seen.color[i];
@@ -145,7 +147,9 @@ private:
         };
         const Vec3f wi = single(light);
         const float exponent = lambda_o + filter::masking(wi, slopes).lambda;
-        const Rgbf color = visible_color(texel, colors_, colors_.best(), false, wo, exponent);
+        const ColorModel best = colors_.best();
+        const Rgbf color =
+            visible_color(texel, colors_, best, colors_.adds_slope(best), wo, exponent);
         const Rgbf shown = radiance(slopes, color, material_, wo, wi);
         const Rgbf plain = plain_radiance(texel, material_, wo, wi);
         for (size_t i = 0; i < 3; ++i) {

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "chart/errors.h"
 #include "judge/original.h"
+#include "judge/picked_texels.h"
 #include "pipeline/bake.h"
 #include "support/files.h"
 #include "support/memory_source.h"
@@ -128,6 +132,114 @@ TEST(ViewCheck, PutsEveryLevelInThePoolWithTheWeightOfItsFootprints)
     EXPECT_GE(check.all.front().radiance.set, least);
     EXPECT_LE(check.all.front().radiance.set, most);
     EXPECT_EQ(check.samples, footprints * 16);
+}
+
+/// Steep noise whose color goes with height and with slope.
+MemorySource colored_noise(int size)
+{
+    MemorySource source;
+    source.map_width = source.map_height = size;
+    uint64_t state = 7;
+    auto random = [&state] {
+        state = state * 6364136223846793005U + 1442695040888963407U;
+        return static_cast<double>(state >> 40) * 0x1p-24;
+    };
+    for (int i = 0; i < size * size; ++i)
+        source.heights.push_back(1.5 * random());
+    for (int i = 0; i < size * size; ++i) {
+        const auto at = [&](int k) { return source.heights[static_cast<size_t>(k)] / 1.5; };
+        const int next = i % size == size - 1 ? i + 1 - size : i + 1;
+        const double rise = 0.5 + 0.5 * (at(next) - at(i));
+        source.colors.push_back({at(i), rise, 0.2 + 0.5 * at(i) * rise});
+    }
+    return source;
+}
+
+const Method& method_named(const std::string& name)
+{
+    return *std::find_if(methods().begin(), methods().end(),
+                         [&name](const Method& method) { return method.name == name; });
+}
+
+// Oracle: the errors that `scree chart` has of the same texels, from its own table of methods and
+// its own sums. Equal to the order of summing, and to float where a method takes other steps.
+TEST(ViewCheck, HasTheErrorsThatAChartHasOfTheSameMaps)
+{
+    struct Case {
+        std::vector<Map> maps;
+        std::vector<const char*> twins; // of ViewCheck::models
+    };
+    const std::vector<Map> least{Map::slope, Map::color};
+    const std::vector<Map> line{Map::slope, Map::color, Map::height, Map::colorheight};
+    const std::vector<Map> leaning{Map::slope, Map::color, Map::height, Map::colorheight,
+                                   Map::colorslope};
+    const std::vector<Map> ranks{Map::slope, Map::color, Map::rank};
+    for (const Case& maps :
+         {Case{least, {"LEADR"}}, Case{line, {"LEADR", "linear"}},
+          Case{leaning, {"", "linear + slope"}}, Case{ranks, {"LEADR", "rank 4"}}}) {
+        const TempFolder temp;
+        MemorySource source = colored_noise(32);
+        BakeOptions options = unit_texels(temp);
+        options.maps = maps.maps;
+        ViewPlan plan;
+        plan.angles_deg = {75};
+        plan.grid = 6;
+        plan.footprints = 6;
+        const ViewCheck check = checked(source, options, plan);
+        const ViewErrors& found = check.all.front();
+
+        SetReader set(options.output);
+        const reference::DisplacedSurface surface(read_original(source, options, {}).relief);
+        reference::GatherPlan gathering;
+        for (const PlannedView& view : views_of(plan))
+            gathering.views.push_back(view.wo);
+        gathering.lights = lights_of(plan);
+        gathering.base_alpha = static_cast<double>(plan.material.base_alpha);
+        gathering.grid = plan.grid;
+        Yardstick yardstick{{gathering.views, gathering.lights, {{75, 75, 0, 4}}}, {}, {}};
+        std::vector<Appearance> halves[2], plain;
+        std::vector<std::vector<Appearance>> shown(maps.twins.size());
+        const auto picked = pick_texels(set, 0, plan.footprints, plan.seed);
+        for (size_t i = 0; i < picked.size(); ++i) {
+            const auto truth = gather(surface, picked[i].footprint, gathering, i);
+            yardstick.truth.push_back(appearance_of(truth.all, plan.material.f0));
+            yardstick.area.emplace_back();
+            for (const auto& seen : truth.all.seen)
+                yardstick.area.back().push_back(seen.area);
+            for (size_t half = 0; half < 2; ++half)
+                halves[half].push_back(appearance_of(truth.halves[half], plan.material.f0));
+            FootprintData data;
+            data.set = picked[i].texel;
+            data.normal = filter::normal(filter::Vec2<float>(data.set.slope.s, data.set.slope.t));
+            const MethodSetting setting{plan.material, nullptr};
+            plain.push_back(
+                appearance_of(method_named("naive MIP"), data, setting, yardstick.views));
+            for (size_t m = 0; m < shown.size(); ++m)
+                if (*maps.twins[m] != 0)
+                    shown[m].push_back(
+                        appearance_of(method_named(maps.twins[m]), data, setting, yardstick.views));
+        }
+        const auto errors_of = [&](const std::vector<Appearance>& of) {
+            return rms_differences(yardstick, of, yardstick.truth).front();
+        };
+        const RelativeErrors best = errors_of(shown.back()), mip = errors_of(plain);
+        const RelativeErrors noise = rms_differences(yardstick, halves[0], halves[1]).front();
+        const char* name = maps.twins.back();
+        constexpr double kSingle = 1e-5; // of errors of a tenth and more
+        EXPECT_NEAR(found.color.set, best.color, kSingle) << name;
+        EXPECT_NEAR(found.radiance.set, best.radiance, kSingle) << name;
+        EXPECT_NEAR(found.color.plain, mip.color, kSingle) << name;
+        EXPECT_NEAR(found.radiance.plain, mip.radiance, kSingle) << name;
+        EXPECT_NEAR(found.color.noise, noise.color / 2, kSingle) << name;
+        EXPECT_NEAR(found.radiance.noise, noise.radiance / 2, kSingle) << name;
+        ASSERT_EQ(found.models.size(), maps.twins.size());
+        for (size_t m = 0; m < shown.size(); ++m) {
+            if (shown[m].empty())
+                continue;
+            EXPECT_NEAR(found.models[m], errors_of(shown[m]).color, kSingle) << name << m;
+        }
+        EXPECT_GT(found.color.plain, 0.05) << "a view that nothing is seen differently in";
+    }
 }
 
 TEST(ViewCheck, ViewsGoRoundFromTheNormal)
