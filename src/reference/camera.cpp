@@ -37,7 +37,7 @@ Camera Camera::distant(const Aim& aim, double clear_of)
     const Axes axes = axes_of(aim);
     const double pixel = aim.width / aim.columns;
     // Each ray is moved along itself until it starts at the height of clear_of.
-    auto raised = [&axes](Vec3 place, double height) {
+    auto raised = [&axes](const Vec3& place, double height) {
         return place + (height - place.z) / axes.back.z * axes.back;
     };
     const Vec3 corner = Vec3(aim.target.x, aim.target.y, aim.plane) -

@@ -106,7 +106,9 @@ RenderedPixel Renderer::pixel(int column, int row)
     for (int j = 0; j < plan_.grid; ++j)
         for (int i = 0; i < plan_.grid; ++i) {
             const auto inside =
-                jitter(plan_.seed, index, static_cast<uint64_t>(j * plan_.grid + i));
+                jitter(plan_.seed, index,
+                       static_cast<uint64_t>(j) * static_cast<uint64_t>(plan_.grid) +
+                           static_cast<uint64_t>(i));
             add(halves[static_cast<size_t>((i + j) % 2)],
                 camera_.ray(column + (i + inside[0]) / plan_.grid,
                             row + (j + inside[1]) / plan_.grid));
