@@ -68,6 +68,11 @@ bool write_pixels(OIIO::ImageOutput& out, const Picture& picture, bool as_light)
                     : out.write_image(OIIO::TypeDesc::UINT8, srgb_bytes(picture).data());
 }
 
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why)
+{
+    throw Error(fmt::format("{}: cannot be written: {}", file.string(), why));
+}
+
 /// Removes a file unless it was renamed.
 struct PartialFile {
     std::filesystem::path path;
@@ -82,6 +87,17 @@ struct PartialFile {
 };
 
 } // namespace
+
+void check_picture_name(const std::filesystem::path& file)
+{
+    const std::filesystem::path folder = file.parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+        refuse(file, fmt::format("there is no folder {}", folder.string()));
+    if (!OIIO::ImageOutput::create(file.string())) {
+        OIIO::geterror(); // said better here
+        refuse(file, "no picture format has this ending; use .png, .jpg or .exr");
+    }
+}
 
 std::vector<uint8_t> png_bytes(const Picture& picture)
 {
@@ -98,21 +114,17 @@ std::vector<uint8_t> png_bytes(const Picture& picture)
 
 void write_picture(const Picture& picture, const std::filesystem::path& file)
 {
-    const std::filesystem::path folder = file.parent_path();
+    check_picture_name(file);
     const std::string ending = lower_case_ending(file);
     const PartialFile partial{
-        folder / fmt::format(".{}.scree-{}{}", file.stem().string(), getpid(), ending)};
+        file.parent_path() / fmt::format(".{}.scree-{}{}", file.stem().string(), getpid(), ending)};
     auto fail = [&](std::string why) {
         const size_t at = why.find(partial.path.string());
         if (at != std::string::npos)
             why.replace(at, partial.path.string().size(), file.string());
-        throw Error(fmt::format("{}: cannot be written: {}", file.string(), why));
+        refuse(file, why);
     };
-    if (!folder.empty() && !std::filesystem::is_directory(folder))
-        fail(fmt::format("there is no folder {}", folder.string()));
     const auto out = OIIO::ImageOutput::create(partial.path.string());
-    if (!out)
-        fail("no picture format has this ending; use .png, .jpg or .exr");
     const bool as_light = ending == ".exr" || ending == ".hdr";
     const OIIO::ImageSpec spec =
         as_light ? spec_of(picture, OIIO::TypeDesc::FLOAT) : srgb_spec(picture, ending);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <mutex>
+#include <vector>
 
 #include "math/error.h"
 
@@ -18,6 +20,61 @@ struct DestroyTextures {
     {
         OIIO::TextureSystem::destroy(textures, true);
     }
+};
+
+using ThreadInfo = OIIO::TextureSystem::Perthread;
+
+/// What OpenImageIO keeps for each thread that looks up, lent to a thread for one lookup.
+///
+/// Its own way is a thread-local pointer found by the address of the cache. That outlives the cache
+/// in threads that go on, such as a pool's, and a later cache at the same address takes it for its
+/// own (2.4): hence these.
+class ThreadInfos {
+public:
+    explicit ThreadInfos(OIIO::TextureSystem& textures) : textures_(textures) {}
+    ~ThreadInfos()
+    {
+        for (ThreadInfo* info : idle_)
+            textures_.destroy_thread_info(info);
+    }
+    ThreadInfos(const ThreadInfos&) = delete;
+    ThreadInfos& operator=(const ThreadInfos&) = delete;
+
+    /// Given back at the end of its life.
+    class Loan {
+    public:
+        explicit Loan(ThreadInfos& from) : from_(from), info_(from.take()) {}
+        ~Loan() { from_.give_back(info_); }
+        Loan(const Loan&) = delete;
+        Loan& operator=(const Loan&) = delete;
+
+        [[nodiscard]] ThreadInfo* get() const { return info_; }
+
+    private:
+        ThreadInfos& from_;
+        ThreadInfo* info_;
+    };
+
+private:
+    ThreadInfo* take()
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (idle_.empty())
+            return textures_.create_thread_info();
+        ThreadInfo* info = idle_.back();
+        idle_.pop_back();
+        return info;
+    }
+
+    void give_back(ThreadInfo* info)
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        idle_.push_back(info);
+    }
+
+    OIIO::TextureSystem& textures_;
+    std::mutex mutex_;
+    std::vector<ThreadInfo*> idle_;
 };
 
 struct Texture {
@@ -34,6 +91,7 @@ struct TextureLookup::System {
     /// Of its own: another set of the same name in this process shares nothing with it.
     std::unique_ptr<OIIO::TextureSystem, DestroyTextures> textures{
         OIIO::TextureSystem::create(false)};
+    ThreadInfos thread_infos{*textures};
     OIIO::TextureOpt options;
     std::array<Texture, kMaps> maps;
 
@@ -59,11 +117,18 @@ TextureLookup::TextureLookup(const std::filesystem::path& folder, const Manifest
         options.swrap = options.twrap = OIIO::TextureOpt::WrapPeriodic;
     for (const TextureRecord& record : manifest.textures) {
         const std::filesystem::path file = folder / record.file;
-        auto* handle = textures.get_texture_handle(OIIO::ustring(file.string()));
-        if (handle == nullptr || !textures.good(handle))
+        const int channels = static_cast<int>(record.channels.size());
+        const ThreadInfos::Loan info(system_->thread_infos);
+        auto* handle = textures.get_texture_handle(OIIO::ustring(file.string()), info.get());
+        int found = 0; // asking for it opens the file
+        if (handle == nullptr ||
+            !textures.get_texture_info(handle, info.get(), 0, OIIO::ustring("channels"),
+                                       OIIO::TypeDesc::INT, &found))
             system_->fail(file);
-        system_->maps[static_cast<size_t>(record.map)] = {handle, file,
-                                                          static_cast<int>(record.channels.size())};
+        if (found != channels)
+            throw Error(fmt::format("{}: has {} channels, its manifest says {}; bake the set again",
+                                    file.string(), found, channels));
+        system_->maps[static_cast<size_t>(record.map)] = {handle, file, channels};
     }
 }
 
@@ -82,9 +147,10 @@ void TextureLookup::read(Map map, const TexturePlace& place, int first, int coun
     assert(texture.handle != nullptr && first >= 0 && first + count <= texture.channels);
     OIIO::TextureOpt options = system_->options; // a lookup writes to it
     options.firstchannel = first;
-    if (!system_->textures->texture(texture.handle, system_->textures->get_perthread_info(),
-                                    options, place.s, place.t, place.ds_dx, place.dt_dx,
-                                    place.ds_dy, place.dt_dy, count, result))
+    const ThreadInfos::Loan info(system_->thread_infos);
+    if (!system_->textures->texture(texture.handle, info.get(), options, place.s, place.t,
+                                    place.ds_dx, place.dt_dx, place.ds_dy, place.dt_dy, count,
+                                    result))
         system_->fail(texture.file);
 }
 

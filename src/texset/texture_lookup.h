@@ -26,7 +26,8 @@ struct TextureFilter {
 class TextureLookup {
 public:
     /// folder  of the set
-    /// Throws Error, naming the file, when a texture of the manifest cannot be opened.
+    /// Throws Error, naming the file, when a texture of the manifest cannot be opened, or has other
+    /// channels.
     TextureLookup(const std::filesystem::path& folder, const Manifest& manifest,
                   const TextureFilter& filter = {});
     ~TextureLookup();
