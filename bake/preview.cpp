@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -16,6 +17,7 @@
 #include "judge/inputs.h"
 #include "judge/original.h"
 #include "pipeline/thread_limit.h"
+#include "report/table.h"
 
 namespace scree::tool {
 
@@ -57,6 +59,7 @@ void add_options(CLI::App& command, PreviewWords& words)
     picture
         ->add_option("--parts", words.parts, "of the picture, from the left: plain, set, reference")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->check(CLI::IsMember({"plain", "set", "reference"}))
         ->capture_default_str();
     picture->add_option("--size", words.size, "of the plane's picture, pixels")
@@ -82,6 +85,7 @@ void add_options(CLI::App& command, PreviewWords& words)
         ->add_option("--strip-angles", words.strip_shot.angles_deg,
                      "of the strip's views, degrees from the normal")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->check(CLI::Range(0.0, 89.0))
         ->capture_default_str();
     picture->add_option("--tile", words.strip_shot.tile, "side of a tile of the strip, pixels")
@@ -123,6 +127,9 @@ void interpret(PreviewWords& words)
 {
     if (words.picture.empty() && words.strip.empty())
         throw UsageError("no picture is asked for; name one with -o or --strip");
+    for (const auto& file : {words.picture, words.strip})
+        if (!file.empty())
+            check_picture_name(file);
     const double angle = words.light[0] * kRadPerDegree, azimuth = words.light[1] * kRadPerDegree;
     if (!(words.light[0] >= 0 && words.light[0] < 90))
         throw UsageError(fmt::format("--light {:g}: the angle of the light from the normal has to "
@@ -139,6 +146,7 @@ void interpret(PreviewWords& words)
     words.scene.grid = static_cast<int>(std::ceil(std::sqrt(words.samples)));
     words.plane.width = words.size[0];
     words.plane.height = words.size[1];
+    words.strip_shot.azimuth_deg = words.plane.azimuth_deg;
 }
 
 bool needs_surface(const PreviewScene& scene)
@@ -177,15 +185,42 @@ std::string parts_of(const PreviewScene& scene)
 
 void print(const Preview& preview)
 {
-    for (const PreviewError& error : preview.errors)
-        fmt::print("  {:4.1f} degrees  {:9}  brightness {:.3f} of the reference, rms error of "
-                   "radiance {:.3f}\n",
-                   error.angle_deg, preview_part_name(error.part), error.brightness, error.rms);
-    if (preview.samples > 0)
-        fmt::print("  reference: {} samples, {} rays in {:.1f} s, {:.2f} million samples a second; "
-                   "its own noise {:.3f}\n",
-                   preview.samples, preview.rays, preview.seconds,
-                   static_cast<double>(preview.samples) / preview.seconds / 1e6, preview.noise);
+    report::Table table{
+        "", {"degrees", "plain: brightness", "rms", "set: brightness", "rms", "noise"}, {}};
+    for (const PreviewErrors& errors : preview.errors) {
+        auto number = [](double value) { return fmt::format("{:.3f}", value); };
+        table.rows.push_back({fmt::format("{:g}", errors.angle_deg),
+                              number(errors.plain.brightness), number(errors.plain.rms),
+                              number(errors.set.brightness), number(errors.set.rms),
+                              number(errors.set.noise)});
+    }
+    if (preview.samples == 0)
+        return;
+    fmt::print("{}brightness: over that of the reference; rms: error of radiance of a pixel, "
+               "relative; noise: the reference's\nown part of it. {} samples, {} rays in {:.1f} s, "
+               "{:.2f} million samples a second\n",
+               to_text(table), preview.samples, preview.rays, preview.seconds,
+               static_cast<double>(preview.samples) / preview.seconds / 1e6);
+}
+
+void draw(const PreviewWords& words, const SetLookup& set,
+          const reference::DisplacedSurface* surface)
+{
+    auto finish = [&](const Preview& preview, const std::filesystem::path& file,
+                      const std::string& where) {
+        write_picture(preview.picture, file);
+        if (words.quiet)
+            return;
+        fmt::print("{}: {}; exposure {:.3g}\n", file.string(), where, preview.exposure);
+        print(preview);
+    };
+    if (!words.picture.empty())
+        finish(draw_plane(set, surface, words.scene, words.plane), words.picture,
+               "from the left " + parts_of(words.scene));
+    if (!words.strip.empty())
+        finish(draw_strip(set, surface, words.scene, words.strip_shot), words.strip,
+               fmt::format("from the top {}; from the left {} degrees", parts_of(words.scene),
+                           fmt::join(words.strip_shot.angles_deg, ", ")));
 }
 
 void run(PreviewWords& words)
@@ -199,36 +234,16 @@ void run(PreviewWords& words)
     std::optional<reference::DisplacedSurface> surface;
     if (needs_surface(words.scene))
         surface = read_surface(words, manifest);
-    const reference::DisplacedSurface* truth = surface ? &*surface : nullptr;
-
+    if (!words.quiet && (manifest.wrap_s != "periodic" || manifest.wrap_t != "periodic"))
+        fmt::print("note: {} was baked with wrap {} {}; it is shown repeated, with its seams\n",
+                   manifest.name, manifest.wrap_s, manifest.wrap_t);
     Progress progress(words.quiet);
     words.scene.progress = [&progress](double done) {
         if (stop_asked())
             throw Cancelled();
-        progress.show("trace", done);
+        progress.show("draw", done);
     };
-    if (!words.quiet && (manifest.wrap_s != "periodic" || manifest.wrap_t != "periodic"))
-        fmt::print("note: {} was baked with wrap {} {}; it is shown repeated, with its seams\n",
-                   manifest.name, manifest.wrap_s, manifest.wrap_t);
-    if (!words.picture.empty()) {
-        const Preview preview = draw_plane(set, truth, words.scene, words.plane);
-        write_picture(preview.picture, words.picture);
-        if (!words.quiet) {
-            fmt::print("{}: from the left {}; exposure {:.3g}\n", words.picture.string(),
-                       parts_of(words.scene), preview.exposure);
-            print(preview);
-        }
-    }
-    if (!words.strip.empty()) {
-        const Preview preview = draw_strip(set, truth, words.scene, words.strip_shot);
-        write_picture(preview.picture, words.strip);
-        if (!words.quiet) {
-            fmt::print("{}: from the top {}; from the left {} degrees; exposure {:.3g}\n",
-                       words.strip.string(), parts_of(words.scene),
-                       fmt::join(words.strip_shot.angles_deg, ", "), preview.exposure);
-            print(preview);
-        }
-    }
+    draw(words, set, surface ? &*surface : nullptr);
 }
 
 } // namespace

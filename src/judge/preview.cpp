@@ -1,195 +1,90 @@
 #include "judge/preview.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "math/error.h"
-#include "reference/render.h"
 
 namespace scree {
 
 namespace {
 
 constexpr double kRadPerDegree = 3.14159265358979323846 / 180;
-constexpr Rgbf kSky{0.32F, 0.42F, 0.55F};
+constexpr Rgbf kSky{0.32F, 0.42F, 0.55F}; // flat, as it is shown: no exposure
 constexpr Rgbf kLine{1, 1, 1};
 
-Vec3f single(const Vec3& w)
-{
-    return {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)};
-}
-
-/// Radiance over irradiance of a pixel, and how much of it shows the surface.
-struct Pixel {
-    Rgbf radiance{};
-    float covered = 0;
-};
-
-/// A rectangle of pixels, row by row.
-using Pixels = std::vector<Pixel>;
-
-/// Where a set is looked up for what a pixel sees of the plane.
-TexturePlace texture_place(const reference::PlaneView& view, const Manifest& manifest)
-{
-    const double per_s = 1 / (manifest.width * manifest.texel_width);
-    const double per_t = 1 / (manifest.height * manifest.texel_height);
-    // Far away floats have no digits left for the fraction; the maps repeat.
-    auto fraction = [](double place) { return static_cast<float>(place - std::floor(place)); };
-    auto of = [](double change) { return static_cast<float>(change); };
-    return {fraction(view.place.x * per_s), fraction(view.place.y * per_t),
-            of(view.along_x.x * per_s),     of(view.along_x.y * per_t),
-            of(view.along_y.x * per_s),     of(view.along_y.y * per_t)};
-}
-
-Rgbf shaded(const SetLookup& set, const SetTexel& texel, const PreviewScene& scene,
-            PreviewPart part, const Vec3f& wo)
-{
-    const Vec3f wi = single(scene.light);
-    if (part == PreviewPart::plain)
-        return plain_radiance(texel, scene.material, wo, wi);
-    const auto slopes = slopes_of(texel);
-    const float exponent = filter::masking(wo, slopes).lambda + filter::masking(wi, slopes).lambda;
-    const SetColors& colors = set.colors();
-    return radiance(slopes, visible_color(texel, colors, colors.best(), false, wo, exponent),
-                    scene.material, wo, wi);
-}
-
-/// Plane pixels by lookups, one a pixel, as a renderer would.
-Pixels look_up(const SetLookup& set, const PreviewScene& scene, PreviewPart part,
-               const reference::Camera& camera, const reference::PictureArea& area)
-{
-    const auto columns = static_cast<size_t>(area.columns);
-    Pixels pixels(columns * static_cast<size_t>(area.rows));
-    tbb::parallel_for(0, area.rows, [&](int row) {
-        for (size_t i = 0; i < columns; ++i) {
-            const double x = area.first_column + static_cast<double>(i) + 0.5;
-            const auto view = camera.view_of_plane(set.manifest().h0, x, row + 0.5);
-            if (!view)
-                continue;
-            const SetTexel texel = set.at(texture_place(*view, set.manifest()));
-            pixels[static_cast<size_t>(row) * columns + i] = {
-                shaded(set, texel, scene, part, single(view->to_viewer)), texel.coverage};
-        }
-    });
-    return pixels;
-}
-
-Pixel pixel_of(const reference::Radiance& seen, const Material& material)
-{
-    const double specular = static_cast<double>(material.f0) * seen.specular;
-    Pixel pixel;
-    for (size_t c = 0; c < 3; ++c)
-        pixel.radiance[c] = static_cast<float>(seen.diffuse[c] + specular);
-    pixel.covered = static_cast<float>(seen.covered);
-    return pixel;
-}
-
-/// The truth with its two halves.
-struct TruePixels {
-    Pixels all;
-    std::array<Pixels, 2> halves;
-};
-
-/// Draws areas seen through cameras and keeps account of what that tells.
+/// Paints parts of a scene, area by area, and keeps account of what the truth tells and costs.
 class Painter {
 public:
+    /// views  of the scene: each has an area for every part
     Painter(const SetLookup& set, const reference::DisplacedSurface* surface,
-            const PreviewScene& scene, int areas)
-        : set_(set), surface_(surface), scene_(scene), areas_(areas)
-    {}
-
-    Pixels paint(PreviewPart part, const reference::Camera& camera,
-                 const reference::PictureArea& area, double angle_deg)
+            const PreviewScene& scene, int views)
+        : set_(set), surface_(surface), scene_(scene)
     {
-        if (part != PreviewPart::truth)
-            return look_up(set_, scene_, part, camera, area);
-        TruePixels truth = trace(camera, area);
-        for (const PreviewPart other : {PreviewPart::plain, PreviewPart::set})
-            compare(other, look_up(set_, scene_, other, camera, area), truth, angle_deg);
+        for (const PreviewPart part : scene.parts)
+            work_ += views * (kLookUpWork + (part == PreviewPart::truth ? kTraceWork : 0));
+    }
+
+    ShadedPixels paint(PreviewPart part, const reference::Camera& camera,
+                       const reference::PictureArea& area, double angle_deg)
+    {
+        LookedUp looked_up =
+            look_up(set_, scene_.material, scene_.light, camera, area, progress(kLookUpWork));
+        if (part == PreviewPart::plain)
+            return std::move(looked_up.plain);
+        if (part == PreviewPart::set)
+            return std::move(looked_up.set);
+        TruePixels truth = traced(camera, area);
+        account_.errors.push_back(
+            {angle_deg, compare(looked_up.plain, truth), compare(looked_up.set, truth)});
         return std::move(truth.all);
     }
 
-    /// The errors and the account; the caller draws the picture.
-    Preview account()
-    {
-        account_.noise = true_square_ > 0 ? std::sqrt(noise_square_ / true_square_) : 0;
-        return std::move(account_);
-    }
+    [[nodiscard]] const Preview& account() const { return account_; }
 
 private:
-    TruePixels trace(const reference::Camera& camera, const reference::PictureArea& area)
+    static constexpr double kLookUpWork = 1, kTraceWork = 4; // of an area, in time, roughly
+
+    /// Of a piece of the work, which counts as done from its end on.
+    std::function<void(double)> progress(double work)
     {
-        reference::RenderPlan plan;
-        plan.light = scene_.light;
-        plan.base_alpha = static_cast<double>(scene_.material.base_alpha);
-        plan.grid = scene_.grid;
-        plan.seed = scene_.seed + static_cast<uint64_t>(traced_);
-        const auto begin = std::chrono::steady_clock::now();
-        const auto rendering =
-            reference::render(*surface_, camera, area, plan, [this](double done) {
-                if (scene_.progress)
-                    scene_.progress((traced_ + done) / areas_);
-            });
-        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-        ++traced_;
-        account_.seconds += passed.count();
-        account_.rays += rendering.rays;
-        account_.samples += static_cast<long long>(rendering.pixels.size()) * plan.grid * plan.grid;
-        TruePixels truth;
-        for (const auto& pixel : rendering.pixels) {
-            truth.all.push_back(pixel_of(pixel.all, scene_.material));
-            for (size_t half = 0; half < 2; ++half)
-                truth.halves[half].push_back(pixel_of(pixel.halves[half], scene_.material));
-        }
-        return truth;
+        const double before = done_;
+        done_ += work;
+        return [this, before, work](double share) {
+            if (scene_.progress)
+                scene_.progress((before + work * share) / work_);
+        };
     }
 
-    void compare(PreviewPart part, const Pixels& pixels, const TruePixels& truth, double angle_deg)
+    TruePixels traced(const reference::Camera& camera, const reference::PictureArea& area)
     {
-        constexpr float kWhole = 0.999F;
-        double square = 0, true_square = 0, sum = 0, true_sum = 0, noise = 0;
-        for (size_t i = 0; i < pixels.size(); ++i) {
-            if (pixels[i].covered < kWhole || truth.all[i].covered < kWhole)
-                continue;
-            for (size_t c = 0; c < 3; ++c) {
-                auto value = [c](const Pixel& pixel) {
-                    return static_cast<double>(pixel.radiance[c]);
-                };
-                const double is = value(pixels[i]), should = value(truth.all[i]);
-                const double halves = value(truth.halves[0][i]) - value(truth.halves[1][i]);
-                sum += is;
-                true_sum += should;
-                square += (is - should) * (is - should);
-                true_square += should * should;
-                noise += halves * halves / 4;
-            }
-        }
-        if (!(true_square > 0))
-            return;
-        account_.errors.push_back(
-            {angle_deg, part, sum / true_sum, std::sqrt(square / true_square)});
-        noise_square_ += noise;
-        true_square_ += true_square;
+        // Areas of one seed would share their jitter, and their noise.
+        const uint64_t seed = scene_.seed + account_.errors.size();
+        const auto begin = std::chrono::steady_clock::now();
+        TruePixels truth = trace(*surface_, scene_.material, scene_.light, camera, area,
+                                 scene_.grid, seed, progress(kTraceWork));
+        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+        account_.seconds += passed.count();
+        account_.rays += truth.rays;
+        account_.samples += static_cast<long long>(truth.all.size()) * scene_.grid * scene_.grid;
+        return truth;
     }
 
     const SetLookup& set_;
     const reference::DisplacedSurface* surface_;
     const PreviewScene& scene_;
-    int areas_, traced_ = 0;
-    double noise_square_ = 0, true_square_ = 0;
-    Preview account_;
+    double work_ = 0, done_ = 0;
+    Preview account_; ///< without the picture
 };
 
 /// The exposure that makes the brightest of what is shown, but for 2 %, 0.8.
-double fitting_exposure(const std::vector<Pixels>& shown)
+double fitting_exposure(const std::vector<ShadedPixels>& shown)
 {
     std::vector<float> brightest;
-    for (const Pixels& pixels : shown)
-        for (const Pixel& pixel : pixels)
+    for (const ShadedPixels& pixels : shown)
+        for (const ShadedPixel& pixel : pixels)
             if (pixel.covered > 0)
                 brightest.push_back(
                     *std::max_element(pixel.radiance.begin(), pixel.radiance.end()));
@@ -200,34 +95,70 @@ double fitting_exposure(const std::vector<Pixels>& shown)
     return *at > 0 ? 0.8 / static_cast<double>(*at) : 1;
 }
 
+float* at(Picture& picture, int x, int y)
+{
+    return &picture.rgb[3 * (static_cast<size_t>(y) * static_cast<size_t>(picture.width) +
+                             static_cast<size_t>(x))];
+}
+
 Picture blank(int width, int height)
 {
-    Picture picture{width, height, {}};
-    for (long long i = 0; i < static_cast<long long>(width) * height; ++i)
-        picture.rgb.insert(picture.rgb.end(), kLine.begin(), kLine.end());
+    Picture picture{
+        width, height,
+        std::vector<float>(3 * static_cast<size_t>(width) * static_cast<size_t>(height))};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            std::copy(kLine.begin(), kLine.end(), at(picture, x, y));
     return picture;
 }
 
 /// Puts pixels into a picture, before the sky.
-void put(Picture& picture, const Pixels& pixels, int columns, int left, int top, double exposure)
+void put(Picture& picture, const ShadedPixels& pixels, int columns, int left, int top,
+         double exposure)
 {
     for (size_t i = 0; i < pixels.size(); ++i) {
-        const int x = left + static_cast<int>(i) % columns, y = top + static_cast<int>(i) / columns;
-        float* rgb = &picture.rgb[3 * (static_cast<size_t>(y) * static_cast<size_t>(picture.width) +
-                                       static_cast<size_t>(x))];
+        const int index = static_cast<int>(i);
+        float* rgb = at(picture, left + index % columns, top + index / columns);
         for (size_t c = 0; c < 3; ++c)
             rgb[c] = pixels[i].covered * pixels[i].radiance[c] * static_cast<float>(exposure) +
                      (1 - pixels[i].covered) * kSky[c];
     }
 }
 
-void check_camera(const reference::Camera& camera, const reference::DisplacedSurface& surface)
+/// At the middle of the map, on the plane of its mean height.
+reference::Aim aim_at(const Manifest& manifest, double angle_deg, double azimuth_deg)
 {
+    reference::Aim aim;
+    aim.target = {manifest.width * manifest.texel_width / 2,
+                  manifest.height * manifest.texel_height / 2};
+    aim.plane = manifest.h0;
+    aim.angle_rad = angle_deg * kRadPerDegree;
+    aim.azimuth_rad = azimuth_deg * kRadPerDegree;
+    return aim;
+}
+
+reference::Camera plane_camera(const Manifest& manifest, const PlaneShot& shot, double highest)
+{
+    reference::Aim aim = aim_at(manifest, shot.angle_deg, shot.azimuth_deg);
+    aim.width = shot.repeats * manifest.width * manifest.texel_width;
+    aim.columns = shot.width;
+    aim.rows = shot.height;
+    auto camera = reference::Camera::pinhole(aim, shot.field_of_view_deg * kRadPerDegree);
     const double eye = camera.ray(0, 0).origin.z;
-    if (eye <= surface.highest())
+    if (eye <= highest)
         throw Error(fmt::format("the camera would be at height {:.3g}, inside a surface that "
                                 "reaches up to {:.3g}; show more repeats, or a smaller view angle",
-                                eye, surface.highest()));
+                                eye, highest));
+    return camera;
+}
+
+reference::Camera tile_camera(const Manifest& manifest, const StripShot& shot, double angle_deg,
+                              double highest)
+{
+    reference::Aim aim = aim_at(manifest, angle_deg, shot.azimuth_deg);
+    aim.width = shot.tile * shot.texels_per_pixel * manifest.texel_width;
+    aim.columns = aim.rows = shot.tile;
+    return reference::Camera::distant(aim, highest + manifest.texel_width); // above it, if flat
 }
 
 } // namespace
@@ -248,42 +179,26 @@ std::string preview_part_name(PreviewPart part)
 Preview draw_plane(const SetLookup& set, const reference::DisplacedSurface* surface,
                    const PreviewScene& scene, const PlaneShot& shot)
 {
-    const Manifest& manifest = set.manifest();
-    reference::Aim aim;
-    aim.target = {manifest.width * manifest.texel_width / 2,
-                  manifest.height * manifest.texel_height / 2};
-    aim.plane = manifest.h0;
-    aim.angle_rad = shot.angle_deg * kRadPerDegree;
-    aim.azimuth_rad = shot.azimuth_deg * kRadPerDegree;
-    aim.width = shot.repeats * manifest.width * manifest.texel_width;
-    aim.columns = shot.width;
-    aim.rows = shot.height;
-    const auto camera = reference::Camera::pinhole(aim, shot.field_of_view_deg * kRadPerDegree);
-    if (surface != nullptr)
-        check_camera(camera, *surface);
-
+    const double highest = surface != nullptr ? surface->highest() : set.manifest().height_max;
+    const reference::Camera camera = plane_camera(set.manifest(), shot, highest);
     Painter painter(set, surface, scene, 1);
     const int parts = static_cast<int>(scene.parts.size());
-    std::vector<Pixels> shown;
-    std::vector<reference::PictureArea> areas;
-    for (int i = 0; i < parts; ++i) {
-        const int first = i * shot.width / parts, end = (i + 1) * shot.width / parts;
-        areas.push_back({first, end - first, shot.height});
-        shown.push_back(painter.paint(scene.parts[static_cast<size_t>(i)], camera, areas.back(),
+    std::vector<ShadedPixels> shown;
+    std::vector<int> borders{0};
+    for (const PreviewPart part : scene.parts) {
+        const int first = borders.back();
+        borders.push_back(static_cast<int>(borders.size()) * shot.width / parts);
+        shown.push_back(painter.paint(part, camera, {first, borders.back() - first, shot.height},
                                       shot.angle_deg));
     }
     Preview preview = painter.account();
     preview.exposure = scene.exposure > 0 ? scene.exposure : fitting_exposure(shown);
     preview.picture = blank(shot.width, shot.height);
     for (size_t i = 0; i < shown.size(); ++i) {
-        put(preview.picture, shown[i], areas[i].columns, areas[i].first_column, 0,
+        put(preview.picture, shown[i], borders[i + 1] - borders[i], borders[i], 0,
             preview.exposure);
-        for (int y = 0; i > 0 && y < shot.height; ++y) {
-            const auto at = 3 * (static_cast<size_t>(y) * static_cast<size_t>(shot.width) +
-                                 static_cast<size_t>(areas[i].first_column));
-            std::copy(kLine.begin(), kLine.end(),
-                      preview.picture.rgb.begin() + static_cast<std::ptrdiff_t>(at));
-        }
+        for (int y = 0; i > 0 && y < shot.height; ++y)
+            std::copy(kLine.begin(), kLine.end(), at(preview.picture, borders[i], y));
     }
     return preview;
 }
@@ -292,31 +207,23 @@ Preview draw_strip(const SetLookup& set, const reference::DisplacedSurface* surf
                    const PreviewScene& scene, const StripShot& shot)
 {
     constexpr int kGap = 2;
-    const Manifest& manifest = set.manifest();
-    const int tiles = static_cast<int>(shot.angles_deg.size());
-    Painter painter(set, surface, scene, tiles);
-    std::vector<Pixels> shown; // parts of the first angle, of the second, ...
-    for (const double angle : shot.angles_deg) {
-        reference::Aim aim;
-        aim.target = {manifest.width * manifest.texel_width / 2,
-                      manifest.height * manifest.texel_height / 2};
-        aim.plane = manifest.h0;
-        aim.angle_rad = angle * kRadPerDegree;
-        aim.azimuth_rad = shot.azimuth_deg * kRadPerDegree;
-        aim.width = shot.tile * shot.texels_per_pixel * manifest.texel_width;
-        aim.columns = aim.rows = shot.tile;
-        const double top = surface != nullptr ? surface->highest() : manifest.height_max;
-        const auto camera = reference::Camera::distant(aim, top + manifest.texel_width);
+    const double highest = surface != nullptr ? surface->highest() : set.manifest().height_max;
+    const int columns = static_cast<int>(shot.angles_deg.size());
+    const int rows = static_cast<int>(scene.parts.size());
+    Painter painter(set, surface, scene, columns);
+    std::vector<ShadedPixels> shown; // column by column
+    for (const double angle : shot.angles_deg)
         for (const PreviewPart part : scene.parts)
-            shown.push_back(painter.paint(part, camera, {0, shot.tile, shot.tile}, angle));
-    }
+            shown.push_back(painter.paint(part, tile_camera(set.manifest(), shot, angle, highest),
+                                          {0, shot.tile, shot.tile}, angle));
     Preview preview = painter.account();
     preview.exposure = scene.exposure > 0 ? scene.exposure : fitting_exposure(shown);
-    const int rows = static_cast<int>(scene.parts.size()), step = shot.tile + kGap;
-    preview.picture = blank(tiles * step - kGap, rows * step - kGap);
-    for (int i = 0; i < tiles * rows; ++i)
-        put(preview.picture, shown[static_cast<size_t>(i)], shot.tile, i / rows * step,
-            i % rows * step, preview.exposure);
+    const int step = shot.tile + kGap;
+    preview.picture = blank(columns * step - kGap, rows * step - kGap);
+    auto pixels = shown.begin();
+    for (int column = 0; column < columns; ++column)
+        for (int row = 0; row < rows; ++row)
+            put(preview.picture, *pixels++, shot.tile, column * step, row * step, preview.exposure);
     return preview;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/preview_pixels.h"
 #include "judge/set_lookup.h"
 #include "judge/shading.h"
 #include "reference/displaced_surface.h"
@@ -14,8 +15,8 @@ namespace scree {
 
 /// Ways to show a surface.
 enum class PreviewPart {
-    plain, ///< a plain MIP chain: mean color on the mean normal, no spread, no masking
-    set,   ///< all the set has: the color that is seen, the slopes that are seen, masking
+    plain, ///< a plain MIP chain
+    set,   ///< all that the set has
     truth  ///< the surface itself, ray traced
 };
 
@@ -29,7 +30,7 @@ struct PreviewScene {
     int grid = 8; ///< of the truth: grid x grid rays a pixel
     uint64_t seed = 1;
     double exposure = 0; ///< multiplies radiance over irradiance; 0: fits the picture
-    /// Told the share done, in [0, 1], from one thread at a time; may throw to stop.
+    /// Told the share of a picture done, in [0, 1], from one thread at a time; may throw to stop.
     std::function<void(double)> progress;
 };
 
@@ -39,7 +40,7 @@ struct PlaneShot {
     double angle_deg = 78;         ///< of the view in the middle of the picture, from the normal
     double azimuth_deg = 90;       ///< to the viewer, from +s towards +t
     double field_of_view_deg = 30; ///< of the picture's height
-    double repeats = 10;           ///< of the set, across the middle of the picture
+    double repeats = 20;           ///< of the set, across the middle of the picture
 };
 
 /// Distant views side by side, one from each angle.
@@ -50,27 +51,23 @@ struct StripShot {
     double texels_per_pixel = 8; ///< across; along the view 1 / cos of the angle more
 };
 
-/// How far a part is from the truth over the same pixels: those of the truth that show nothing
-/// but surface.
-struct PreviewError {
+/// How far the lookups are from the truth, over the pixels of the truth's part.
+struct PreviewErrors {
     double angle_deg = 0; ///< of the view, in the middle
-    PreviewPart part = PreviewPart::plain;
-    double brightness = 1; ///< mean radiance over that of the truth
-    double rms = 0;        ///< of radiance, over the root mean square of the truth
+    PixelErrors plain, set;
 };
 
 struct Preview {
     Picture picture;
     double exposure = 1;
-    std::vector<PreviewError> errors; ///< without the truth: empty
-    double noise = 0;                 ///< rms of the truth's own error, relative likewise
-    long long samples = 0, rays = 0;  ///< of the truth
-    double seconds = 0;               ///< of the truth
+    std::vector<PreviewErrors> errors; ///< without the truth: empty
+    long long samples = 0, rays = 0;   ///< of the truth
+    double seconds = 0;                ///< of the truth
 };
 
 /// The parts side by side in one picture of the plane, a thin line between them.
 ///
-/// surface  what the set was baked from, going on over its edges; null where no part is the truth
+/// surface  what the set was baked from, repeating; null where no part is the truth
 /// Throws Error when the camera would be inside the surface.
 Preview draw_plane(const SetLookup& set, const reference::DisplacedSurface* surface,
                    const PreviewScene& scene, const PlaneShot& shot);

@@ -5,24 +5,43 @@
 
 namespace scree {
 
+namespace {
+
+constexpr size_t kMostChannels = 24; // of a rank table of eight terms
+
+} // namespace
+
 SetLookup::SetLookup(const std::filesystem::path& set, const TextureFilter& filter)
     : reader_(set), textures_(reader_.folder(), reader_.manifest(), filter)
-{}
+{
+    const ColorModel model = colors().best();
+    for (const TextureRecord& record : manifest().textures) {
+        const Map map = record.map;
+        const bool is_left_out = map == Map::map || // a table, which SetColors has
+                                 (map == Map::colorheight && model != ColorModel::height) ||
+                                 (map == Map::rank && model != ColorModel::rank) ||
+                                 (map == Map::colorslope && !colors_go_by_slope());
+        if (!is_left_out)
+            maps_.push_back(map);
+    }
+}
+
+bool SetLookup::colors_go_by_slope() const
+{
+    return colors().has_slope && colors().best() == ColorModel::mean;
+}
 
 SetTexel SetLookup::at(const TexturePlace& place) const
 {
-    constexpr size_t kMostChannels = 24; // a rank table of eight terms
     SetTexel texel;
     if (!textures_.has(Map::color))
         texel.color = {1, 1, 1};
-    std::array<float, kMostChannels> values;
-    for (const TextureRecord& record : manifest().textures) {
-        if (record.map == Map::map) // a table, not a map: SetColors has it
-            continue;
-        const int count = textures_.channels(record.map);
+    std::array<float, kMostChannels> values{};
+    for (const Map map : maps_) {
+        const int count = textures_.channels(map);
         assert(static_cast<size_t>(count) <= kMostChannels);
-        textures_.read(record.map, place, 0, count, values.data());
-        put_channels(texel, record.map, values.data(), static_cast<size_t>(count));
+        textures_.read(map, place, 0, count, values.data());
+        put_channels(texel, map, values.data(), static_cast<size_t>(count));
     }
     return texel;
 }

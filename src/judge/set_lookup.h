@@ -1,14 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "judge/set_reader.h"
 #include "texset/texture_lookup.h"
 
 namespace scree {
 
-/// A baked set as a renderer meets it: filtered lookups in all its maps. Any number of threads may
-/// look up at once.
+/// A baked set as a renderer meets it: filtered lookups, in the maps that its best way to tell the
+/// visible color needs. Any number of threads may look up at once.
 class SetLookup {
 public:
     /// set  its folder, or its manifest
@@ -18,12 +19,16 @@ public:
     [[nodiscard]] const Manifest& manifest() const { return reader_.manifest(); }
     [[nodiscard]] const SetColors& colors() const { return reader_.colors(); }
 
+    /// Whether the correlation with slope is all the set has beyond the mean color.
+    [[nodiscard]] bool colors_go_by_slope() const;
+
     /// White where the set has no colors.
     [[nodiscard]] SetTexel at(const TexturePlace& place) const;
 
 private:
     SetReader reader_;
     TextureLookup textures_;
+    std::vector<Map> maps_;
 };
 
 } // namespace scree
