@@ -163,11 +163,11 @@ Validation validated(const ValidateWords& words, SetReader& set)
     BakeMonitor monitor;
     monitor.progress = [&progress](const char* phase, double done) { progress.show(phase, done); };
     monitor.cancel = &stop_asked();
-    const Original original = read_original(options, monitor);
+    Original original = read_original(options, monitor);
     ValidationPlan plan = words.plan;
     plan.views = !words.statistics_only;
     plan.images = !words.report.empty();
-    return validate(set, original, options, plan, monitor);
+    return validate(set, std::move(original), options, plan, monitor);
 }
 
 /// The first few, for an error's one line; the page and the JSON have all.

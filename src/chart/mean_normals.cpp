@@ -1,5 +1,7 @@
 #include "chart/mean_normals.h"
 
+#include <algorithm>
+
 #include <cmath>
 
 #include "math/storage.h"
@@ -42,7 +44,8 @@ Vec3f MeanNormals::over(const reference::Footprint& footprint) const
     if (!(total > 0))
         return {0, 0, 1};
     const Vec3 mean = sum / total;
-    return {as_half(mean.x), as_half(mean.y), as_half(mean.z)};
+    // Never level: the smallest half there is.
+    return {as_half(mean.x), as_half(mean.y), std::max(as_half(mean.z), 0x1p-24F)};
 }
 
 } // namespace scree

@@ -28,7 +28,7 @@ std::vector<std::string> headings()
     for (const ErrorKind kind : kErrors)
         for (const CostAxis axis : kCosts)
             words.push_back(fmt::format("pareto_{}_{}", name_of(kind), name_of(axis)));
-    for (const char* word : {"options", "timing_threads", "compiler", "version"})
+    for (const char* word : {"options", "timing_threads", "compiler", "version", "commit"})
         words.emplace_back(word);
     return words;
 }
@@ -65,7 +65,7 @@ void add_band(const AssetChart& chart, size_t band, const ChartOptions& options,
         for (const auto& front : fronts)
             line.emplace_back(front[i] ? "1" : "0");
         line.push_back(options_of(chart, options));
-        for (const char* word : {"1", kCompiler, kVersion})
+        for (const char* word : {"1", kCompiler, kVersion, kCommit})
             line.emplace_back(word);
         table.rows.push_back(std::move(line));
     }

@@ -40,7 +40,7 @@ void flag_size(const AssetMeasures& asset, Flags& flags)
 {
     if (asset.texels < kFewTexels)
         flags.push_back(
-            fmt::format("only {} texels with data: coarse levels sum up few of them, so "
+            fmt::format("only {} texels have data: coarse levels sum up few of them, so "
                         "kurtosis and rank tables are those of chance; use a larger map",
                         asset.texels));
 }
@@ -48,7 +48,7 @@ void flag_size(const AssetMeasures& asset, Flags& flags)
 void flag_slopes(const AssetMeasures& asset, Flags& flags)
 {
     if (asset.rms_slope > kSteep)
-        flags.push_back(fmt::format("rms slope {:.2f} ({:.0f} degrees) is steep: light bounces "
+        flags.push_back(fmt::format("rms slope {:.3g} ({:.0f} degrees) is steep: light bounces "
                                     "between facets, which no texture here has; check "
                                     "--height-scale and --texel-size",
                                     asset.rms_slope,

@@ -75,6 +75,12 @@ Original read(Source& source, const BakeOptions& options, const BakeMonitor& mon
     relief.beyond_t = beyond(options.wrap_t);
     original.has_color = surface.has_color();
 
+    const auto texels = static_cast<size_t>(relief.width) * static_cast<size_t>(relief.height);
+    if (source.has_heights())
+        relief.heights.reserve(texels);
+    if (source.has_color())
+        relief.colors.reserve(texels);
+
     source.rewind(true);
     SurfaceRows rows;
     for (int y = 0; y < relief.height; y += kStripRows) {

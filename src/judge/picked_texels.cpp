@@ -2,38 +2,54 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 #include <utility>
+
+#include "reference/jitter.h"
 
 namespace scree {
 
 namespace {
 
-/// A well-mixed function of its argument (SplitMix64, Steele et al. 2014).
-uint64_t mixed(uint64_t x)
-{
-    x += 0x9e3779b97f4a7c15U;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-    return x ^ (x >> 31);
-}
+/// Of drawing places, where many have no data.
+constexpr uint64_t kRounds = 64;
 
-/// Places (y, x) in a level, sorted.
-std::set<std::pair<int, int>> places(int width, int height, int level, int count, uint64_t seed)
+using Place = std::pair<int, int>; // y, x
+
+/// Places in a level that `seen` does not have yet, `count` of them or as many as there are, and
+/// adds them to it.
+std::set<Place> more_places(int width, int height, int count, uint64_t seed, std::set<Place>& seen)
 {
-    std::set<std::pair<int, int>> picked;
-    const auto texels = static_cast<long long>(width) * height;
-    if (texels <= count) {
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                picked.insert({y, x});
-        return picked;
-    }
-    for (uint64_t i = 0; static_cast<int>(picked.size()) < count; ++i) {
-        const uint64_t hash = mixed(mixed(seed + static_cast<uint64_t>(level)) + i);
-        const auto place = static_cast<long long>(hash % static_cast<uint64_t>(texels));
-        picked.insert({static_cast<int>(place / width), static_cast<int>(place % width)});
+    const auto texels = static_cast<size_t>(width) * static_cast<size_t>(height);
+    std::set<Place> picked;
+    for (uint64_t i = 0; picked.size() < static_cast<size_t>(count) && seen.size() < texels; ++i) {
+        const uint64_t place = reference::scattered(reference::scattered(seed) + i) % texels;
+        const Place at{static_cast<int>(place / static_cast<uint64_t>(width)),
+                       static_cast<int>(place % static_cast<uint64_t>(width))};
+        if (seen.insert(at).second)
+            picked.insert(at);
     }
     return picked;
+}
+
+/// Rows are decoded by tiles: places sorted by row read each once.
+void add_with_data(SetReader& set, int level, const std::set<Place>& places, size_t most,
+                   std::vector<PickedTexel>& texels)
+{
+    const int width = set.manifest().width, height = set.manifest().height;
+    std::vector<SetTexel> row;
+    int row_y = -1;
+    for (const auto& [y, x] : places) {
+        if (texels.size() == most)
+            return;
+        if (y != row_y)
+            row = set.row(level, y);
+        row_y = y;
+        const SetTexel& texel = row[static_cast<size_t>(x)];
+        if (texel.coverage > 0)
+            texels.push_back(
+                {level, x, y, texel, reference::footprint_of(width, height, level, x, y)});
+    }
 }
 
 } // namespace
@@ -43,20 +59,19 @@ std::vector<PickedTexel> pick_texels(SetReader& set, int first_level, int count,
     const int width = set.manifest().width, height = set.manifest().height;
     std::vector<PickedTexel> texels;
     for (int level = first_level; level < reference::level_count(width, height); ++level) {
-        std::vector<SetTexel> row;
-        int row_y = -1;
-        for (const auto& [y, x] :
-             places(reference::level_size(width, level), reference::level_size(height, level),
-                    level, count, seed)) {
-            if (y != row_y)
-                row = set.row(level, y);
-            row_y = y;
-            const SetTexel& texel = row[static_cast<size_t>(x)];
-            if (texel.coverage > 0)
-                texels.push_back(
-                    {level, x, y, texel, reference::footprint_of(width, height, level, x, y)});
-        }
+        const int columns = reference::level_size(width, level);
+        const int rows = reference::level_size(height, level);
+        const size_t most = texels.size() + static_cast<size_t>(count);
+        std::set<Place> seen;
+        for (uint64_t round = 0; round < kRounds && texels.size() < most; ++round)
+            add_with_data(set, level,
+                          more_places(columns, rows, count,
+                                      seed + static_cast<uint64_t>(level) + (round << 32), seen),
+                          most, texels);
     }
+    std::stable_sort(texels.begin(), texels.end(), [](const PickedTexel& a, const PickedTexel& b) {
+        return std::tie(a.level, a.y) < std::tie(b.level, b.y);
+    });
     return texels;
 }
 

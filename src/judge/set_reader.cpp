@@ -29,6 +29,14 @@ MapTable read_table(const MapTableRecord& record, MipReader& file)
     return table;
 }
 
+void expect_finite(const MapTable& table, const std::filesystem::path& file)
+{
+    for (const Rgb& color : table.colors)
+        if (!std::isfinite(color[0] + color[1] + color[2]))
+            throw Error(fmt::format("{}: has colors that are no numbers; bake the set again",
+                                    file.string()));
+}
+
 } // namespace
 
 struct SetReader::Texture {
@@ -63,7 +71,12 @@ SetReader::SetReader(const std::filesystem::path& set)
                                     "again",
                                     (folder_ / record.file).string()));
         if (record.map == Map::map) {
+            if (!manifest_.color_map || !manifest_.color_map->table)
+                throw Error(fmt::format("{}: has a color map's table of which the manifest knows "
+                                        "nothing; bake the set again",
+                                        (folder_ / record.file).string()));
             colors_.table = read_table(*manifest_.color_map->table, file);
+            expect_finite(colors_.table, folder_ / record.file);
             continue;
         }
         if (file.width(0) != manifest_.width || file.height(0) != manifest_.height ||

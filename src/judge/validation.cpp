@@ -36,7 +36,7 @@ void judge(const ViewCheck& check, const char* name, ViewError ViewErrors::*figu
         return;
     for (const ViewErrors& errors : check.all) {
         const double error = own_error(errors.*figure);
-        if (errors.angle_deg >= 0 && !(error <= *tolerance)) // a NaN is out of it
+        if (errors.angle_deg >= 0 && !(error <= *tolerance && check.samples > 0)) // or a NaN
             exceeded.push_back(fmt::format("{} at {:g} degrees: rms error {:.4f}, tolerance {:g}",
                                            name, errors.angle_deg, error, *tolerance));
     }
@@ -62,6 +62,12 @@ void judge(const std::vector<StatisticsFigure>& figures, double scale,
                 figure.level, figure.largest, figure.x, figure.y, figure.tolerance * scale));
 }
 
+bool has_tolerance_of_views(const Tolerances& tolerances)
+{
+    return tolerances.color || tolerances.radiance || tolerances.masking || tolerances.slope ||
+           tolerances.covariance;
+}
+
 std::function<void(double)> told(const BakeMonitor& monitor, const char* phase)
 {
     return [&monitor, phase](double done) { monitor.report(phase, done); };
@@ -69,7 +75,7 @@ std::function<void(double)> told(const BakeMonitor& monitor, const char* phase)
 
 } // namespace
 
-Validation validate(SetReader& set, const Original& original, const BakeOptions& options,
+Validation validate(SetReader& set, Original original, const BakeOptions& options,
                     const ValidationPlan& plan, const BakeMonitor& monitor)
 {
     const Manifest& manifest = set.manifest();
@@ -82,13 +88,18 @@ Validation validate(SetReader& set, const Original& original, const BakeOptions&
         found.without_views = "a normal map has no heights to cast rays at";
     else if (!has(manifest, Map::slope) && !has(manifest, Map::bumpslopes))
         found.without_views = "the set has no slopes to tell what a view sees";
-    if (!plan.views || !found.without_views.empty())
+    else if (!plan.views)
+        found.without_views = "only the statistics were asked for";
+    if (!found.without_views.empty()) {
+        if (has_tolerance_of_views(plan.tolerances))
+            found.exceeded.push_back("what views see, which has a tolerance, was not compared: " +
+                                     found.without_views);
         return found;
+    }
 
-    reference::Relief relief = original.relief;
     if (!has(manifest, Map::color))
-        relief.colors.clear(); // the set shows white, so must the reference
-    const reference::DisplacedSurface surface(std::move(relief));
+        original.relief.colors.clear(); // the set shows white, so must the reference
+    const reference::DisplacedSurface surface(std::move(original.relief));
     found.views = check_views(set, surface, plan.view, told(monitor, "compare what views see"));
     judge(*found.views, plan.tolerances, found.exceeded);
     if (plan.images)

@@ -39,11 +39,12 @@ struct Validation {
     std::vector<std::string> exceeded; ///< tolerances; empty: the set is valid
 };
 
-/// Compares a set with the surface it was baked from.
+/// Compares a set with the surface it was baked from. Tolerances of views that could not be
+/// compared are exceeded.
 ///
 /// Throws Error where the set cannot be read or is not of that surface's size, Cancelled when asked
 /// to stop.
-Validation validate(SetReader& set, const Original& original, const BakeOptions& options,
+Validation validate(SetReader& set, Original original, const BakeOptions& options,
                     const ValidationPlan& plan, const BakeMonitor& monitor);
 
 } // namespace scree
