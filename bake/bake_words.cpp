@@ -35,13 +35,15 @@ void add_bake_options(CLI::App& command, BakeWords& words)
     surface->add_option("--height-channel", o.height_channel,
                         "channel with the heights, by name or number");
     surface
-        ->add_option("--height-scale", o.height_scale,
-                     "world units a unit of the file; integers are [0,1] before it")
+        ->add_option(
+            "--height-scale", o.height_scale,
+            "world units a unit of the file; integers are [0,1] before it, signed ones [-1,1]")
         ->capture_default_str();
     surface->add_option("--height-offset", o.height_offset, "world units added to the heights")
         ->capture_default_str();
-    surface->add_option("--no-data", o.no_data_height,
-                        "file value (integers: in [0,1]) that marks texels without data");
+    surface->add_option(
+        "--no-data", o.no_data_height,
+        "file value (integers: in [0,1], signed in [-1,1]) that marks texels without data");
     surface
         ->add_option("--texel-size", words.texel_size,
                      "world size of a texel, one number or width and height")

@@ -49,9 +49,12 @@ void add_options(CLI::App& command, PreviewWords& words)
                       "picture of a plane that recedes to the horizon; .png, .jpg, .exr");
     files->add_option("--strip", words.strip,
                       "picture of a strip: a tile for each view angle, a row for each part");
-    files->add_option("--inputs", words.inputs,
-                      "folders with the files the set was baked from [beside the set, the current "
-                      "folder]");
+    files
+        ->add_option("--inputs", words.inputs,
+                     "folders with the files the set was baked from [beside the set, the current "
+                     "folder]")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     files->add_option("--ocio-config", words.ocio_config,
                       "OpenColorIO config of the bake, where it named one");
 

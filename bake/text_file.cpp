@@ -6,19 +6,21 @@
 #include <fstream>
 
 #include "math/error.h"
+#include "texset/writable.h"
 
 namespace scree::tool {
 
 void write_text(const std::string& text, const std::filesystem::path& file)
 {
+    const auto target = file_to_replace(file);
     const auto partial =
-        file.parent_path() / fmt::format(".{}.scree-{}", file.filename().string(), getpid());
+        target.parent_path() / fmt::format(".{}.scree-{}", target.filename().string(), getpid());
     std::ofstream out(partial, std::ios::binary);
     out << text;
     out.close();
     std::error_code failed;
     if (out)
-        std::filesystem::rename(partial, file, failed);
+        std::filesystem::rename(partial, target, failed);
     if (out && !failed)
         return;
     std::error_code ignored;

@@ -47,9 +47,12 @@ void add_options(CLI::App& command, ValidateWords& words)
                        "TOML file whose table [validate] holds any of the options below");
 
     auto* files = command.add_option_group("Files");
-    files->add_option("--inputs", words.inputs,
-                      "folders with the files the set was baked from [beside the set, the current "
-                      "folder]");
+    files
+        ->add_option("--inputs", words.inputs,
+                     "folders with the files the set was baked from [beside the set, the current "
+                     "folder]")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     files->add_option("--ocio-config", words.ocio_config,
                       "OpenColorIO config of the bake, where it named one");
     files->add_option("--report", words.report,

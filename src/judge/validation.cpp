@@ -62,18 +62,48 @@ void judge(const std::vector<StatisticsFigure>& figures, double scale,
                 figure.level, figure.largest, figure.x, figure.y, figure.tolerance * scale));
 }
 
-bool has_tolerance_of_views(const Tolerances& tolerances)
-{
-    return tolerances.color || tolerances.radiance || tolerances.masking || tolerances.slope ||
-           tolerances.covariance;
-}
-
 std::function<void(double)> told(const BakeMonitor& monitor, const char* phase)
 {
     return [&monitor, phase](double done) { monitor.report(phase, done); };
 }
 
+/// Where a plain MIP chain is nearer to the truth than the set, which nobody would expect: how
+/// often, and the worst. Beyond noise, and beyond a hundredth that nobody sees.
+void flag_worse_than_plain(const ViewCheck& check, const char* name, ViewError ViewErrors::*figure,
+                           std::vector<std::string>& flags)
+{
+    constexpr double kSeen = 0.01;
+    int compared = 0, worse = 0;
+    const ViewErrors* worst = nullptr;
+    auto excess = [figure](const ViewErrors& errors) {
+        const ViewError& error = errors.*figure;
+        return error.set - error.plain - error.noise - kSeen;
+    };
+    for (const ViewErrors& errors : check.levels) {
+        compared += errors.footprints > 0 ? 1 : 0;
+        if (!(excess(errors) > 0))
+            continue;
+        ++worse;
+        if (worst == nullptr || excess(errors) > excess(*worst))
+            worst = &errors;
+    }
+    if (worst != nullptr)
+        flags.push_back(fmt::format(
+            "{}: a plain MIP chain is nearer to the reference than the set at {} of {} levels and "
+            "angles, most at level {} from {:g} degrees: error {:.2f}, plain {:.2f}; Smith's "
+            "masking "
+            "does not fit this asset there",
+            name, worse, compared, worst->level, worst->angle_deg, (worst->*figure).set,
+            (worst->*figure).plain));
+}
+
 } // namespace
+
+bool has_tolerance_of_views(const Tolerances& tolerances)
+{
+    return tolerances.color || tolerances.radiance || tolerances.masking || tolerances.slope ||
+           tolerances.covariance;
+}
 
 Validation validate(SetReader& set, Original original, const BakeOptions& options,
                     const ValidationPlan& plan, const BakeMonitor& monitor)
@@ -102,6 +132,8 @@ Validation validate(SetReader& set, Original original, const BakeOptions& option
     const reference::DisplacedSurface surface(std::move(original.relief));
     found.views = check_views(set, surface, plan.view, told(monitor, "compare what views see"));
     judge(*found.views, plan.tolerances, found.exceeded);
+    flag_worse_than_plain(*found.views, "radiance", &ViewErrors::radiance, found.flags);
+    flag_worse_than_plain(*found.views, "visible color", &ViewErrors::color, found.flags);
     if (plan.images)
         for (const double angle : kDrawnAngles)
             found.images.push_back(draw_texels(set, surface, level_to_draw(manifest, kPictureSide),

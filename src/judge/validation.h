@@ -21,6 +21,9 @@ struct Tolerances {
     std::optional<double> color, radiance, masking, slope, covariance;
 };
 
+/// Whether any but the statistics has one.
+bool has_tolerance_of_views(const Tolerances& tolerances);
+
 /// What to validate a set with.
 struct ValidationPlan {
     bool views = true;  ///< compare with the reference, where there are heights and colors

@@ -10,11 +10,14 @@ namespace scree {
 
 namespace {
 
-void add_verdict(const Validation& validation, report::Page& page)
+void add_verdict(const Validation& validation, const ValidationPlan& plan, report::Page& page)
 {
     page.heading("Verdict");
     if (validation.exceeded.empty()) {
-        page.paragraph("Everything that has a tolerance is within it.");
+        page.paragraph(has_tolerance_of_views(plan.tolerances)
+                           ? "Everything that has a tolerance is within it."
+                           : "The statistics are what they should be. What views see was not "
+                             "judged: no tolerance was given for it.");
     } else {
         page.paragraph("Out of tolerance:");
         page.list(validation.exceeded);
@@ -72,7 +75,7 @@ std::string to_page(const Validation& validation, const ValidationPlan& plan,
     report::Page page(fmt::format("Validation of {}", manifest.name));
     page.paragraph(fmt::format("{}x{} texels, {} levels, baked by Scree {}.", manifest.width,
                                manifest.height, manifest.levels.size(), manifest.program_version));
-    add_verdict(validation, page);
+    add_verdict(validation, plan, page);
     page.heading("Statistics");
     page.paragraph(
         "Every texel of every level against sums over the inputs themselves. Errors "

@@ -17,6 +17,14 @@ Vec3f single(const Vec3& w)
     return {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)};
 }
 
+/// Half the difference of two halves, the standard error of their mean; 0 where one of them saw
+/// nothing (its weight is 0): that tells nothing, and an error it were taken off would look
+/// smaller.
+double half_difference(double weight0, double weight1, double value0, double value1)
+{
+    return weight0 > 0 && weight1 > 0 ? (value0 - value1) / 2 : 0;
+}
+
 /// Weighted squares of errors and of what they are relative to.
 struct Squares {
     double set = 0, plain = 0, noise = 0, truth = 0;
@@ -86,8 +94,9 @@ public:
         const auto masking = filter::masking(wo, slopes);
         sums.area += seen.area;
         sums.facing += seen.facing;
-        sums.masking.add(seen.facing, static_cast<double>(masking.g1) - seen.g1(), 1 - seen.g1(),
-                         (half(0).g1() - half(1).g1()) / 2, 1);
+        sums.masking.add(
+            seen.facing, static_cast<double>(masking.g1) - seen.g1(), 1 - seen.g1(),
+            half_difference(half(0).facing, half(1).facing, half(0).g1(), half(1).g1()), 1);
         add_colors(texel, wo, masking.lambda, seen, half(0), half(1), sums);
         add_slopes(slopes, filter::visible_slopes(wo, slopes), seen, half(0), half(1), sums);
         for (size_t i = 0; i < lights_.size(); ++i)
@@ -110,9 +119,10 @@ private:
                 const double error = static_cast<double>(shown[i]) - seen.color[i];
                 sums.models[m] += seen.area * error * error;
                 if (is_best)
-                    sums.color.add(seen.area, error,
-                                   static_cast<double>(texel.color[i]) - seen.color[i],
-                                   (half0.color[i] - half1.color[i]) / 2, seen.color[i]);
+                    sums.color.add(
+                        seen.area, error, static_cast<double>(texel.color[i]) - seen.color[i],
+                        half_difference(half0.area, half1.area, half0.color[i], half1.color[i]),
+                        seen.color[i]);
             }
         }
     }
@@ -124,16 +134,19 @@ private:
         for (int i = 0; i < 2; ++i)
             sums.slope.add(seen.area, static_cast<double>(shown.mean[i]) - seen.slope[i],
                            static_cast<double>(baked.mean[i]) - seen.slope[i],
-                           (half0.slope[i] - half1.slope[i]) / 2, 0);
+                           half_difference(half0.area, half1.area, half0.slope[i], half1.slope[i]),
+                           0);
         auto entry = [](const filter::Covariance<float>& c, size_t i) {
             return static_cast<double>(i == 0 ? c.ss : i == 1 ? c.st : c.tt);
         };
         for (size_t i = 0; i < 3; ++i) {
             const double truth = seen.covariance[i];
             // st stands for two entries of the matrix.
-            sums.covariance.add(seen.area * (i == 1 ? 2 : 1), entry(shown.covariance, i) - truth,
-                                entry(baked.covariance, i) - truth,
-                                (half0.covariance[i] - half1.covariance[i]) / 2, 0);
+            sums.covariance.add(
+                seen.area * (i == 1 ? 2 : 1), entry(shown.covariance, i) - truth,
+                entry(baked.covariance, i) - truth,
+                half_difference(half0.area, half1.area, half0.covariance[i], half1.covariance[i]),
+                0);
         }
     }
 
@@ -145,6 +158,7 @@ private:
             const reference::Lit& of = gathered.lit[index];
             return of.diffuse[channel] + static_cast<double>(material_.f0) * of.specular;
         };
+        const size_t view = index / lights_.size();
         const Vec3f wi = single(light);
         const float exponent = lambda_o + filter::masking(wi, slopes).lambda;
         const ColorModel best = colors_.best();
@@ -154,9 +168,11 @@ private:
         const Rgbf plain = plain_radiance(texel, material_, wo, wi);
         for (size_t i = 0; i < 3; ++i) {
             const double seen = lit(truth.all, i);
-            sums.radiance.add(area, static_cast<double>(shown[i]) - seen,
-                              static_cast<double>(plain[i]) - seen,
-                              (lit(truth.halves[0], i) - lit(truth.halves[1], i)) / 2, seen);
+            sums.radiance.add(
+                area, static_cast<double>(shown[i]) - seen, static_cast<double>(plain[i]) - seen,
+                half_difference(truth.halves[0].seen[view].area, truth.halves[1].seen[view].area,
+                                lit(truth.halves[0], i), lit(truth.halves[1], i)),
+                seen);
         }
     }
 
@@ -228,6 +244,7 @@ ViewCheck check_views(SetReader& set, const reference::DisplacedSurface& surface
     gathering.grid = plan.grid;
     gathering.seed = plan.seed;
     std::vector<reference::Footprint> footprints;
+    footprints.reserve(picked.size());
     for (const PickedTexel& texel : picked)
         footprints.push_back(texel.footprint);
 

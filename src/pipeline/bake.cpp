@@ -171,7 +171,7 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
     if (has_table(manifest))
         write_table(*table, manifest, folder.path());
 
-    for (auto& warning : rejects_warnings(surface.found.rejects))
+    for (auto& warning : rejects_warnings(surface.found.rejects, options))
         manifest.warnings.push_back(std::move(warning));
     for (auto& warning : scale_warnings(manifest, options))
         manifest.warnings.push_back(std::move(warning));

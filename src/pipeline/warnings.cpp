@@ -29,9 +29,15 @@ void add(std::vector<std::string>& warnings, const Rejects::Count& count, const 
 
 } // namespace
 
-std::vector<std::string> rejects_warnings(const Rejects& rejects)
+std::vector<std::string> rejects_warnings(const Rejects& rejects, const BakeOptions& options)
 {
     std::vector<std::string> warnings;
+    if (options.no_data_height && rejects.marked.texels == 0)
+        warnings.push_back(
+            fmt::format("--no-data {:g}: no texel has this value; it is that of the "
+                        "file, of integers the share of their range, [0, 1] or signed "
+                        "[-1, 1]",
+                        *options.no_data_height));
     add(warnings, rejects.not_finite, "that are not finite");
     add(warnings, rejects.turned_away, "whose normal does not face outward (nz <= 0)");
     add(warnings, rejects.marked, "marked by --no-data");

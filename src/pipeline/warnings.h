@@ -9,8 +9,8 @@
 
 namespace scree {
 
-/// Texels that were left out, counted by reason, with the first of each.
-std::vector<std::string> rejects_warnings(const Rejects& rejects);
+/// Texels that were left out, counted by reason, with the first of each; a --no-data that none has.
+std::vector<std::string> rejects_warnings(const Rejects& rejects, const BakeOptions& options);
 
 /// What the finished statistics say about the scale of the input: an rms slope above 2 or below
 /// 1e-4, and the share of the slope variance that 8-bit quantisation alone explains.

@@ -101,7 +101,8 @@ void Renderer::add(RadianceSums& sums, const Ray& ray)
 
 RenderedPixel Renderer::pixel(int column, int row)
 {
-    const auto index = static_cast<uint64_t>(row) << 32 | static_cast<uint64_t>(column);
+    const auto x = static_cast<uint64_t>(column), y = static_cast<uint64_t>(row);
+    const uint64_t index = y << 32 | x;
     std::array<RadianceSums, 2> halves;
     for (int j = 0; j < plan_.grid; ++j)
         for (int i = 0; i < plan_.grid; ++i) {

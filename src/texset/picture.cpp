@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "math/error.h"
+#include "texset/writable.h"
 
 namespace scree {
 
@@ -115,9 +116,11 @@ std::vector<uint8_t> png_bytes(const Picture& picture)
 void write_picture(const Picture& picture, const std::filesystem::path& file)
 {
     check_picture_name(file);
+    const std::filesystem::path target = file_to_replace(file);
     const std::string ending = lower_case_ending(file);
-    const PartialFile partial{
-        file.parent_path() / fmt::format(".{}.scree-{}{}", file.stem().string(), getpid(), ending)};
+    const PartialFile partial{target.parent_path() / fmt::format(".{}.scree-{}{}",
+                                                                 target.stem().string(), getpid(),
+                                                                 ending)};
     auto fail = [&](std::string why) {
         const size_t at = why.find(partial.path.string());
         if (at != std::string::npos)
@@ -132,7 +135,7 @@ void write_picture(const Picture& picture, const std::filesystem::path& file)
         !out->close())
         fail(out->geterror());
     std::error_code failed;
-    std::filesystem::rename(partial.path, file, failed);
+    std::filesystem::rename(partial.path, target, failed);
     if (failed)
         fail(failed.message());
 }

@@ -97,6 +97,19 @@ rm bricks.*.exr
 expect_error "no folder for the page" 'nowhere/page.html: cannot be written' -- \
     "$scree" validate bricks.set --inputs art "${quick[@]}" --report nowhere/page.html
 
+ln -s real.html link.html
+expect_success "a link to the page" -- "$scree" validate bricks.set --inputs art --statistics-only \
+    --report link.html --quiet
+[ -L link.html ] && [ -f real.html ] || fail "the link was replaced: $(ls -l link.html)"
+mkfifo pipe.json
+expect_error "a pipe" 'pipe.json: cannot be written: is a device or a pipe' -- \
+    "$scree" validate bricks.set --inputs art --statistics-only --json pipe.json --quiet
+[ -p pipe.json ] || fail "the pipe was replaced"
+
+# --- comparing nothing is no success ---
+expect_error "views with a tolerance, not compared" 'was not compared: only the statistics' -- \
+    "$scree" validate bricks.set --inputs art --statistics-only --radiance-tolerance 1
+
 # --- other kinds of sets ---
 kind() { # NAME OPTIONS...: bakes with them, validates
     local name=$1
@@ -123,6 +136,9 @@ oiiotool art/odd.exr --box:color=nan:fill=1 20,20,30,40 -o art/holes.exr
 kind "holes" --height art/holes.exr --color art/odd.color.exr
 oiiotool --pattern constant:color=0.4,0.6,0.8 64x64 3 --noise:type=uniform:min=-0.2:max=0.2 -o art/normal.exr
 kind "a normal map" --height art/normal.exr --input normal --normal-range unsigned
+expect_error "a normal map with a tolerance of views" 'was not compared: a normal map has no heights' -- \
+    "$scree" validate kind.set --inputs art --color-tolerance 1
+expect_success "validate a normal map again" -- "$scree" validate kind.set --inputs art
 grep -q 'has no heights' stdout || fail "a normal map: does not say why no views: $(cat stdout)"
 cat > art/map.cpt <<'C'
 -1 20 40 90 0 90 160 60

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <filesystem>
+
+namespace scree {
+
+/// The file to replace when `path` is written by renaming: what its links lead to.
+/// Throws Error where that is there and no ordinary file: a device or a pipe would be replaced too.
+std::filesystem::path file_to_replace(const std::filesystem::path& path);
+
+} // namespace scree
