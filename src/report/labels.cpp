@@ -40,16 +40,41 @@ double length_inside(const Stroke& stroke, const Box& box)
 
 struct Candidate {
     Box box;
+    Stroke leader;   ///< from the point to the box
     double cost = 0; ///< whatever the other labels do
 };
 
+/// Which way from its point a label lies: -1 to 1 along both axes.
+struct Direction {
+    double dx, dy;
+    double cost;
+};
+
+// Right and above are where a reader looks first.
+constexpr std::array<Direction, 16> kDirections = {{{1, 0, 0},
+                                                    {1, -1, 1},
+                                                    {0, -1, 2},
+                                                    {-1, 0, 3},
+                                                    {1, 1, 3},
+                                                    {0, 1, 4},
+                                                    {-1, -1, 4},
+                                                    {-1, 1, 5},
+                                                    {1, -0.5, 6},
+                                                    {1, 0.5, 6},
+                                                    {0.5, -1, 6},
+                                                    {0.5, 1, 7},
+                                                    {-0.5, -1, 7},
+                                                    {-0.5, 1, 7},
+                                                    {-1, 0.5, 8},
+                                                    {-1, -0.5, 8}}};
+
 /// The box of a wish whose nearest edge or corner lies `gap` from the point in a direction.
-Box box_beside(const LabelWish& wish, double gap, int dx, int dy)
+Box box_beside(const LabelWish& wish, double gap, const Direction& d)
 {
     // A diagonal label starts over the point's corner, not a full gap away in both axes.
-    const double reach = dx != 0 && dy != 0 ? 0.7 * gap : gap;
-    const double x = wish.point.x + dx * reach + (dx - 1) * wish.width / 2;
-    const double y = wish.point.y + dy * reach + (dy - 1) * wish.height / 2;
+    const double reach = d.dx != 0 && d.dy != 0 ? 0.7 * gap : gap;
+    const double x = wish.point.x + d.dx * reach + (d.dx - 1) * wish.width / 2;
+    const double y = wish.point.y + d.dy * reach + (d.dy - 1) * wish.height / 2;
     return {x, y, x + wish.width, y + wish.height};
 }
 
@@ -83,47 +108,34 @@ public:
 private:
     [[nodiscard]] std::vector<Candidate> candidates_of(const LabelWish& wish) const
     {
-        struct Direction {
-            int dx, dy;
-            double cost;
-        };
-        // Right and above are where a reader looks first.
-        constexpr std::array<Direction, 8> kDirections = {{{1, 0, 0},
-                                                           {1, -1, 1},
-                                                           {0, -1, 2},
-                                                           {-1, 0, 3},
-                                                           {1, 1, 3},
-                                                           {0, 1, 4},
-                                                           {-1, -1, 4},
-                                                           {-1, 1, 5}}};
         constexpr std::array<double, 5> kGaps = {3, 10, 20, 34, 50}; // from the marker's edge
         constexpr double kDistanceCost = 8;
         std::vector<Candidate> found;
         for (const double gap : kGaps)
-            for (const auto& d : kDirections) {
-                const Box box = box_beside(wish, radius_ + gap, d.dx, d.dy);
+            for (const Direction& d : kDirections) {
+                const Box box = box_beside(wish, radius_ + gap, d);
+                const Stroke leader = {wish.point, nearest_in(box, wish.point)};
                 const double cost =
-                    standing_cost(wish.point, box) + d.cost + kDistanceCost * (gap - kGaps[0]);
+                    standing_cost(leader, box) + d.cost + kDistanceCost * (gap - kGaps[0]);
                 if (cost < kImpossible)
-                    found.push_back({box, cost});
+                    found.push_back({box, leader, cost});
             }
         return found;
     }
 
     /// For covering what never moves: markers and the frame's edge not at all, strokes by length;
     /// and for other markers on the way from the point to its label.
-    [[nodiscard]] double standing_cost(const Spot& point, const Box& box) const
+    [[nodiscard]] double standing_cost(const Stroke& leader, const Box& box) const
     {
-        constexpr double kCovering = 6, kPassing = 10; // a pixel
+        constexpr double kCovering = 6; // a pixel
         if (box.x0 < frame_.x0 || box.y0 < frame_.y0 || box.x1 > frame_.x1 || box.y1 > frame_.y1)
             return kImpossible;
-        const Stroke leader = {point, nearest_in(box, point)};
         double cost = 0;
         for (const auto& p : points_) {
             const Box marker = {p.x - radius_, p.y - radius_, p.x + radius_, p.y + radius_};
             if (overlap(box, marker) > 0)
                 return kImpossible;
-            if (p.x != point.x || p.y != point.y)
+            if (p.x != leader.from.x || p.y != leader.from.y)
                 cost += kPassing * length_inside(leader, marker);
         }
         for (const auto& stroke : strokes_)
@@ -131,25 +143,44 @@ private:
         return cost;
     }
 
-    [[nodiscard]] bool is_free(size_t label, const Box& box) const
+    /// For leaders that cross labels; labels on each other are impossible.
+    [[nodiscard]] double meeting_cost(size_t label, const Candidate& candidate) const
     {
-        for (size_t i = 0; i < chosen_.size(); ++i)
-            if (i != label && chosen_[i] != nullptr && overlap(box, chosen_[i]->box) > 0)
-                return false;
-        return true;
+        constexpr double kSpace = 5; // between words in a line
+        double cost = 0;
+        for (size_t i = 0; i < chosen_.size(); ++i) {
+            if (i == label || chosen_[i] == nullptr)
+                continue;
+            const Box& other = chosen_[i]->box;
+            if (overlap({other.x0 - kSpace, other.y0, other.x1 + kSpace, other.y1}, candidate.box) >
+                0)
+                return kImpossible;
+            cost += kPassing * (length_inside(candidate.leader, other) +
+                                length_inside(chosen_[i]->leader, candidate.box));
+        }
+        return cost;
     }
 
-    /// Takes the cheapest free candidate; whether that is another than before.
+    /// Takes the cheapest candidate; whether that is another than before.
     bool choose(size_t label)
     {
         const Candidate* best = nullptr;
-        for (const auto& candidate : candidates_[label])
-            if ((best == nullptr || candidate.cost < best->cost) && is_free(label, candidate.box))
+        double least = kImpossible;
+        for (const auto& candidate : candidates_[label]) {
+            if (candidate.cost >= least)
+                continue;
+            const double cost = candidate.cost + meeting_cost(label, candidate);
+            if (cost < least) {
+                least = cost;
                 best = &candidate;
+            }
+        }
         const bool moved = best != chosen_[label];
         chosen_[label] = best;
         return moved;
     }
+
+    static constexpr double kPassing = 10; // a pixel of a leader over what is not its own
 
     const std::vector<Spot>& points_;
     double radius_;

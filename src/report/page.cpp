@@ -61,8 +61,7 @@ std::string shown_size(const std::vector<uint8_t>& png)
     if (width == 0 || height == 0)
         return "";
     const uint32_t scale = width >= kWorthSeeing ? 1 : kWorthSeeing / width;
-    return " width=\"" + std::to_string(width * scale) + "\" height=\"" +
-           std::to_string(height * scale) + "\"";
+    return " style=\"width: " + std::to_string(width * scale) + "px\"";
 }
 
 } // namespace

@@ -30,31 +30,29 @@ Step round_step(double range, int count)
     return {10 * power, exponent + 1};
 }
 
-/// The logarithm of the next of 1, 2, 5, 10, ... below (or above) a logarithm.
-double round_decade(double logarithm, bool up)
+/// Which multiples of powers of ten get numbers, from few to many.
+const std::vector<std::vector<int>>& digit_sets()
 {
-    const double decade = std::floor(logarithm + kNear);
-    double below = decade;
-    for (const double digit : {1.0, 2.0, 5.0, 10.0}) {
-        const double at = decade + std::log10(digit);
-        if (up && at >= logarithm - kNear)
-            return at;
-        if (at <= logarithm + kNear)
-            below = at;
-    }
-    return below;
+    static const std::vector<std::vector<int>> sets = {
+        {1}, {1, 2, 5}, {1, 2, 3, 5, 7}, {1, 2, 3, 4, 5, 6, 7, 8, 9}};
+    return sets;
 }
 
-/// Whether digit 10^n gets a number, on an axis of so many decades with room for so many numbers.
-bool is_written(int digit, int exponent, double decades, int steps)
+bool holds(const std::vector<int>& digits, int digit)
 {
-    if (decades > 0.4 * steps) {
-        const int every = std::max(1, static_cast<int>(std::ceil(decades / steps)));
-        return digit == 1 && exponent % every == 0;
-    }
-    if (decades > 0.15 * steps)
-        return digit == 1 || digit == 2 || digit == 5;
-    return digit <= 3 || digit == 5 || digit == 7;
+    return std::find(digits.begin(), digits.end(), digit) != digits.end();
+}
+
+/// How many digits times powers of ten lie in a range of logarithms.
+int count_within(const std::vector<int>& digits, double low, double high)
+{
+    int count = 0;
+    for (int exponent = static_cast<int>(std::floor(low)); exponent <= high; ++exponent)
+        for (const int digit : digits) {
+            const double at = exponent + std::log10(digit);
+            count += at >= low && at <= high ? 1 : 0;
+        }
+    return count;
 }
 
 } // namespace
@@ -65,7 +63,7 @@ Scale::Scale(const std::vector<double>& values, bool logarithmic, int steps)
     std::vector<double> shown;
     for (const double value : values)
         if (std::isfinite(value) && (!logarithmic || value > 0))
-            shown.push_back(logarithmic ? std::log10(value)
+            shown.push_back(logarithmic ? std::log10(std::clamp(value, 1 / kLargest, kLargest))
                                         : std::clamp(value, -kLargest, kLargest));
     if (shown.empty())
         shown = {0, 1};
@@ -76,10 +74,24 @@ Scale::Scale(const std::vector<double>& values, bool logarithmic, int steps)
         make_linear(*low, *high, steps);
 }
 
-void Scale::make_linear(double low, double high, int steps)
+void Scale::add_round_numbers(double low, double high, int steps)
 {
     constexpr double kPlainBelow = 1e9;
     constexpr int kPlainDecimals = 6;
+    const Step step = round_step(high - low, steps);
+    const double size = std::max(std::abs(low), std::abs(high));
+    const bool is_plain = step.exponent >= -kPlainDecimals && size < kPlainBelow;
+    const double first = std::ceil(low / step.size - kNear);
+    const int count = static_cast<int>(std::floor(high / step.size + kNear) - first) + 1;
+    for (int i = 0; i < count; ++i) {
+        const double value = (first + i) * step.size;
+        ticks_.push_back(
+            {place(value), is_plain ? grouped(value, std::max(0, -step.exponent)) : brief(value)});
+    }
+}
+
+void Scale::make_linear(double low, double high, int steps)
+{
     const double size = std::max(std::abs(low), std::abs(high));
     if (high - low <= 1e-9 * size + kSmallest) {
         const double around = size <= kSmallest ? 1 : size / 2;
@@ -89,36 +101,42 @@ void Scale::make_linear(double low, double high, int steps)
     const double room = kRoom * (high - low);
     low_ = low >= 0 && low < high / 2 ? 0 : low - room;
     high_ = high <= 0 && high > low / 2 ? 0 : high + room;
-    const Step step = round_step(high_ - low_, steps);
-    const bool is_plain = step.exponent >= -kPlainDecimals && size < kPlainBelow;
-    const double first = std::ceil(low_ / step.size - kNear);
-    const int count = static_cast<int>(std::floor(high_ / step.size + kNear) - first) + 1;
-    for (int i = 0; i < count; ++i) {
-        const double value = (first + i) * step.size;
-        ticks_.push_back(
-            {place(value), is_plain ? grouped(value, std::max(0, -step.exponent)) : brief(value)});
-    }
+    add_round_numbers(low_, high_, steps);
 }
 
 void Scale::make_logarithmic(double low, double high, int steps)
 {
-    constexpr double kManyDecades = 9;                         // small marks would run together
-    const double room = kRoom / 2 * std::max(high - low, 1.0); // rounding gives more
-    low_ = round_decade(low - room, false);
-    high_ = round_decade(high + room, true);
+    constexpr double kLeastDecades = 0.05, kFewNumbers = 3;
+    const double missing = std::max(0.0, kLeastDecades - (high - low));
+    const double room = kRoom * (high - low) + missing / 2;
+    low_ = low - room;
+    high_ = high + room;
+    const std::vector<int>* digits = &digit_sets().front();
+    for (const auto& more : digit_sets())
+        if (count_within(more, low_, high_) <= 1.3 * steps)
+            digits = &more;
+    if (count_within(*digits, low_, high_) < kFewNumbers)
+        add_round_numbers(std::pow(10.0, low_), std::pow(10.0, high_), steps);
+    else
+        add_decades(*digits, steps);
+}
+
+void Scale::add_decades(const std::vector<int>& numbered, int steps)
+{
+    constexpr double kManyDecades = 9; // small marks would run together
     const double decades = high_ - low_;
-    const int first = static_cast<int>(std::floor(low_ + kNear));
-    const int last = static_cast<int>(std::floor(high_ + kNear));
-    const bool is_raised = first < kFirstWritten || last > kLastWritten;
+    const int first = static_cast<int>(std::floor(low_));
+    const int last = static_cast<int>(std::floor(high_));
+    const int every = std::max(1, static_cast<int>(std::ceil(decades / steps)));
+    const bool is_raised = std::ceil(low_) < kFirstWritten || last > kLastWritten;
     for (int exponent = first; exponent <= last; ++exponent)
         for (int digit = 1; digit <= 9; ++digit) {
             const double at = exponent + std::log10(digit);
-            const bool has_number = is_written(digit, exponent, decades, steps);
-            const bool is_outside = at < low_ - kNear || at > high_ + kNear;
-            if (is_outside || (digit > 1 && !has_number && decades > kManyDecades))
-                continue;
-            ticks_.push_back({std::clamp((at - low_) / decades, 0.0, 1.0),
-                              has_number ? of_decade(digit, exponent, is_raised) : ""});
+            const bool has_number = holds(numbered, digit) && exponent % every == 0;
+            const bool is_mark = digit == 1 || decades <= kManyDecades;
+            if (at >= low_ && at <= high_ && (has_number || is_mark))
+                ticks_.push_back({(at - low_) / decades,
+                                  has_number ? of_decade(digit, exponent, is_raised) : ""});
         }
 }
 

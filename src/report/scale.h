@@ -13,8 +13,7 @@ struct Tick {
 
 /// Where the values of an axis lie, and the numbers written along it.
 ///
-/// The axis reaches a little beyond the values; a linear one to 0 where it comes near it, a
-/// logarithmic one to round numbers.
+/// The axis reaches a little beyond the values; a linear one to 0 where it comes near it.
 class Scale {
 public:
     /// values       of all points; those that cannot be shown (not finite, or on a logarithmic axis
@@ -31,6 +30,8 @@ public:
 private:
     void make_linear(double low, double high, int steps);
     void make_logarithmic(double low, double high, int steps);
+    void add_round_numbers(double low, double high, int steps); ///< evenly spaced
+    void add_decades(const std::vector<int>& numbered, int steps);
 
     bool logarithmic_;
     double low_ = 0, high_ = 1; ///< of the value, or of its logarithm to base 10

@@ -69,9 +69,17 @@ TEST(Scale, NumbersStandWhereTheirValuesLie)
 TEST(Scale, LogarithmicAxesShowPowersOfTenAndWhatLiesBetween)
 {
     EXPECT_EQ(numbers(Scale({0.02, 20000}, true, 8)),
-              (Words{"0.01", "0.1", "1", "10", "100", "1\u2009000", "10\u2009000"}));
-    EXPECT_EQ(numbers(Scale({1.3, 80}, true, 8)), (Words{"1", "2", "5", "10", "20", "50", "100"}));
-    EXPECT_EQ(numbers(Scale({2.5, 4}, true, 8)), (Words{"2", "3", "5"}));
+              (Words{"0.1", "1", "10", "100", "1\u2009000", "10\u2009000"}));
+    EXPECT_EQ(numbers(Scale({1.3, 80}, true, 5)), (Words{"2", "5", "10", "20", "50"}));
+    EXPECT_EQ(numbers(Scale({1.3, 80}, true, 8)),
+              (Words{"2", "3", "5", "7", "10", "20", "30", "50", "70"}));
+    EXPECT_EQ(numbers(Scale({0.15, 1.2}, true, 3)), (Words{"0.2", "0.5", "1"}));
+    // Too narrow for them: evenly spaced, but where a logarithm puts them.
+    const Scale narrow({2.1, 2.4}, true, 3);
+    EXPECT_EQ(numbers(narrow), (Words{"2.1", "2.2", "2.3", "2.4"}));
+    EXPECT_NEAR((place_of(narrow, "2.2") - place_of(narrow, "2.1")) /
+                    (place_of(narrow, "2.4") - place_of(narrow, "2.3")),
+                std::log(2.2 / 2.1) / std::log(2.4 / 2.3), 1e-9);
     // Every 2 to 9 of a decade has its mark, numbered or not.
     EXPECT_EQ(Scale({1.2, 800}, true, 5).ticks().size(), 28U);
 }
