@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 #include "bake/bake_words.h"
@@ -126,18 +127,31 @@ void add_options(CLI::App& command, PreviewWords& words)
     running->add_flag("--quiet", words.quiet, "no progress, no figures");
 }
 
-void interpret(PreviewWords& words)
+/// What the options' own checks let pass: a NaN is outside no range, and a range of --light would
+/// hold for its azimuth too.
+void expect_sensible(const PreviewWords& words)
 {
     if (words.picture.empty() && words.strip.empty())
         throw UsageError("no picture is asked for; name one with -o or --strip");
+    if (!(words.light[0] >= 0 && words.light[0] <= 89 && std::isfinite(words.light[1])))
+        throw UsageError("--light: expected 0 to 89 degrees from the normal, and an azimuth");
+    const StripShot& strip = words.strip_shot;
+    const PlaneShot& plane = words.plane;
+    const Material& material = words.scene.material;
+    double sum = plane.angle_deg + plane.azimuth_deg + plane.field_of_view_deg + plane.repeats;
+    sum += std::accumulate(strip.angles_deg.begin(), strip.angles_deg.end(), 0.0);
+    sum += strip.texels_per_pixel + words.scene.exposure;
+    if (!std::isfinite(sum + static_cast<double>(material.base_alpha + material.f0)))
+        throw UsageError("an option is no number; expected angles, sizes and shares");
+}
+
+void interpret(PreviewWords& words)
+{
+    expect_sensible(words);
     for (const auto& file : {words.picture, words.strip})
         if (!file.empty())
             check_picture_name(file);
     const double angle = words.light[0] * kRadPerDegree, azimuth = words.light[1] * kRadPerDegree;
-    if (!(words.light[0] >= 0 && words.light[0] < 90))
-        throw UsageError(fmt::format("--light {:g}: the angle of the light from the normal has to "
-                                     "be at least 0 and below 90 degrees",
-                                     words.light[0]));
     words.scene.light = {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth),
                          std::cos(angle)};
     const std::map<std::string, PreviewPart> parts = {{"plain", PreviewPart::plain},

@@ -32,8 +32,9 @@ Rgbf set_radiance(const SetLookup& set, const SetTexel& texel, const Material& m
 {
     const auto slopes = slopes_of(texel);
     const float exponent = filter::masking(wo, slopes).lambda + filter::masking(wi, slopes).lambda;
-    const Rgbf color = visible_color(texel, set.colors(), set.colors().best(),
-                                     set.colors_go_by_slope(), wo, exponent);
+    const SetColors& colors = set.colors();
+    const ColorModel best = colors.best();
+    const Rgbf color = visible_color(texel, colors, best, colors.adds_slope(best), wo, exponent);
     return radiance(slopes, color, material, wo, wi);
 }
 

@@ -20,15 +20,10 @@ SetLookup::SetLookup(const std::filesystem::path& set, const TextureFilter& filt
         const bool is_left_out = map == Map::map || // a table, which SetColors has
                                  (map == Map::colorheight && model != ColorModel::height) ||
                                  (map == Map::rank && model != ColorModel::rank) ||
-                                 (map == Map::colorslope && !colors_go_by_slope());
+                                 (map == Map::colorslope && !colors().adds_slope(model));
         if (!is_left_out)
             maps_.push_back(map);
     }
-}
-
-bool SetLookup::colors_go_by_slope() const
-{
-    return colors().has_slope && colors().best() == ColorModel::mean;
 }
 
 SetTexel SetLookup::at(const TexturePlace& place) const

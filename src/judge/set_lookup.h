@@ -19,9 +19,6 @@ public:
     [[nodiscard]] const Manifest& manifest() const { return reader_.manifest(); }
     [[nodiscard]] const SetColors& colors() const { return reader_.colors(); }
 
-    /// Whether the correlation with slope is all the set has beyond the mean color.
-    [[nodiscard]] bool colors_go_by_slope() const;
-
     /// White where the set has no colors.
     [[nodiscard]] SetTexel at(const TexturePlace& place) const;
 
