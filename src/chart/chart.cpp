@@ -28,7 +28,7 @@ void expect_sensible(const ChartOptions& options)
 }
 
 std::vector<ChartRow> method_rows(const ChartFootprints& footprints, const MethodSetting& setting,
-                                  const Yardstick& yardstick, int rounds,
+                                  const ErrorScale& yardstick, int rounds,
                                   const BakeMonitor& monitor)
 {
     const auto costs = time_methods(footprints, setting, yardstick.views, rounds, monitor);
@@ -52,7 +52,7 @@ std::vector<ChartRow> method_rows(const ChartFootprints& footprints, const Metho
 /// plan  of the truth
 std::vector<ChartRow> supersampling_rows(const reference::DisplacedSurface& surface,
                                          const std::vector<reference::Footprint>& places,
-                                         const Yardstick& yardstick, TruthPlan plan, int rounds,
+                                         const ErrorScale& yardstick, TruthPlan plan, int rounds,
                                          const BakeMonitor& monitor)
 {
     const auto costs =

@@ -56,7 +56,7 @@ Appearance appearance_of(const Method& method, const FootprintData& data,
     return out;
 }
 
-std::vector<RelativeErrors> rms_differences(const Yardstick& yardstick,
+std::vector<RelativeErrors> rms_differences(const ErrorScale& yardstick,
                                             const std::vector<Appearance>& a,
                                             const std::vector<Appearance>& b)
 {

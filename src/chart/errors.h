@@ -27,7 +27,7 @@ Appearance appearance_of(const Method& method, const FootprintData& data,
                          const MethodSetting& setting, const ChartViews& views);
 
 /// What errors are errors of: the truth of all footprints, and how much each view sees of them.
-struct Yardstick {
+struct ErrorScale {
     ChartViews views;
     std::vector<Appearance> truth;         ///< one a footprint
     std::vector<std::vector<double>> area; ///< seen by each view, per area; footprints x views
@@ -37,7 +37,7 @@ struct Yardstick {
 /// one a band. Footprints count by the area that the view sees of them, as they do in a picture.
 ///
 /// a, b  one a footprint
-std::vector<RelativeErrors> rms_differences(const Yardstick& yardstick,
+std::vector<RelativeErrors> rms_differences(const ErrorScale& yardstick,
                                             const std::vector<Appearance>& a,
                                             const std::vector<Appearance>& b);
 

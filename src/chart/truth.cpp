@@ -29,7 +29,7 @@ std::vector<Appearance> appearances(const std::vector<reference::Estimate>& esti
     return all;
 }
 
-std::vector<RelativeErrors> noise_of(const Yardstick& yardstick, const Material& material,
+std::vector<RelativeErrors> noise_of(const ErrorScale& yardstick, const Material& material,
                                      const std::vector<reference::Estimate>& estimates)
 {
     const auto half = [&](size_t i) {

@@ -12,7 +12,7 @@ namespace scree {
 
 /// The truth about the footprints of a chart, by the reference renderer.
 struct ChartTruth {
-    Yardstick yardstick;
+    ErrorScale yardstick;
     std::vector<RelativeErrors> noise; ///< its own, one a band: half the difference of two halves
     long long rays = 0;                ///< cast
 };

@@ -10,9 +10,9 @@ namespace scree {
 namespace {
 
 /// Two footprints, two bands of one view each, two lights.
-Yardstick toy()
+ErrorScale toy()
 {
-    Yardstick yardstick;
+    ErrorScale yardstick;
     yardstick.views.views = {{0, 0, 1}, {0.6, 0, 0.8}};
     yardstick.views.lights = {{0, 0, 1}, {0, 0.6, 0.8}};
     yardstick.views.bands = {{0, 30, 0, 1}, {30, 60, 1, 1}};
@@ -24,7 +24,7 @@ Yardstick toy()
 
 TEST(RmsDifferences, AreOverViewsLightsAndChannelsByArea)
 {
-    const Yardstick yardstick = toy();
+    const ErrorScale yardstick = toy();
     std::vector<Appearance> shown = yardstick.truth;
     shown[0].color[0] = {1, 0.5, 0};        // band 0, area 1: 0.25
     shown[1].color[0] = {0, 0, 2};          // band 0, area 2: 1
@@ -43,7 +43,7 @@ TEST(RmsDifferences, AreOverViewsLightsAndChannelsByArea)
 
 TEST(RmsDifferences, OfTheTruthFromItselfAreNone)
 {
-    const Yardstick yardstick = toy();
+    const ErrorScale yardstick = toy();
     for (const RelativeErrors& errors :
          rms_differences(yardstick, yardstick.truth, yardstick.truth)) {
         EXPECT_EQ(errors.color, 0);
@@ -53,7 +53,7 @@ TEST(RmsDifferences, OfTheTruthFromItselfAreNone)
 
 TEST(RmsDifferences, WhatIsNotSeenDoesNotCount)
 {
-    Yardstick yardstick = toy();
+    ErrorScale yardstick = toy();
     yardstick.area[0][0] = 0;
     std::vector<Appearance> shown = yardstick.truth;
     shown[0].color[0] = {9, 9, 9};

@@ -196,7 +196,7 @@ TEST(ViewCheck, HasTheErrorsThatAChartHasOfTheSameMaps)
         gathering.lights = lights_of(plan);
         gathering.base_alpha = static_cast<double>(plan.material.base_alpha);
         gathering.grid = plan.grid;
-        Yardstick yardstick{{gathering.views, gathering.lights, {{75, 75, 0, 4}}}, {}, {}};
+        ErrorScale yardstick{{gathering.views, gathering.lights, {{75, 75, 0, 4}}}, {}, {}};
         std::vector<Appearance> halves[2], plain;
         int half_blind = 0;
         std::vector<std::vector<Appearance>> shown(maps.twins.size());
