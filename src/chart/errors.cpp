@@ -34,12 +34,8 @@ Appearance appearance_of(const reference::Gathered& gathered, float f0)
     Appearance out;
     for (const reference::Seen& seen : gathered.seen)
         out.color.push_back(seen.color);
-    for (const reference::Lit& lit : gathered.lit) {
-        Rgb radiance = lit.diffuse;
-        for (double& c : radiance)
-            c += static_cast<double>(f0) * lit.specular;
-        out.radiance.push_back(radiance);
-    }
+    for (const reference::Lit& lit : gathered.lit)
+        out.radiance.push_back(radiance_of(lit, static_cast<double>(f0)));
     return out;
 }
 

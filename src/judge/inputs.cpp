@@ -19,11 +19,13 @@ std::vector<fs::path> files_named(const std::string& name, const std::vector<fs:
 {
     std::vector<fs::path> found;
     std::error_code refused;
-    for (const fs::path& folder : folders)
-        for (const auto& entry : fs::recursive_directory_iterator(
-                 folder, fs::directory_options::skip_permission_denied, refused))
-            if (entry.path().filename() == name)
-                found.push_back(entry.path());
+    for (const fs::path& folder : folders) {
+        fs::recursive_directory_iterator entry(
+            folder, fs::directory_options::skip_permission_denied, refused);
+        for (; !refused && entry != fs::end(entry); entry.increment(refused))
+            if (entry->path().filename() == name)
+                found.push_back(entry->path());
+    }
     for (const fs::path& folder : beside)
         found.push_back(folder / name);
     found.erase(std::remove_if(found.begin(), found.end(),
@@ -58,7 +60,7 @@ InputFiles find_inputs(const Manifest& manifest, const fs::path& set,
 {
     for (const fs::path& folder : folders)
         if (!fs::is_directory(folder))
-            throw Error(fmt::format("{}: no such folder; --inputs names folders with the files a "
+            throw Error(fmt::format("{}: is no folder; --inputs names folders with the files a "
                                     "set was baked from",
                                     folder.string()));
     fs::path folder = fs::absolute(fs::is_directory(set) ? set : set.parent_path());

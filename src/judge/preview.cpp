@@ -79,8 +79,7 @@ private:
     Preview account_; ///< without the picture
 };
 
-/// The exposure that makes the brightest of what is shown, but for 2 %, 0.8.
-double fitting_exposure(const std::vector<ShadedPixels>& shown)
+double exposure_of(const std::vector<ShadedPixels>& shown)
 {
     std::vector<float> brightest;
     for (const ShadedPixels& pixels : shown)
@@ -88,11 +87,7 @@ double fitting_exposure(const std::vector<ShadedPixels>& shown)
             if (pixel.covered > 0)
                 brightest.push_back(
                     *std::max_element(pixel.radiance.begin(), pixel.radiance.end()));
-    if (brightest.empty())
-        return 1;
-    const auto at = brightest.begin() + static_cast<std::ptrdiff_t>(brightest.size() * 98 / 100);
-    std::nth_element(brightest.begin(), at, brightest.end());
-    return *at > 0 ? 0.8 / static_cast<double>(*at) : 1;
+    return fitting_exposure(std::move(brightest));
 }
 
 float* at(Picture& picture, int x, int y)
@@ -192,7 +187,7 @@ Preview draw_plane(const SetLookup& set, const reference::DisplacedSurface* surf
                                       shot.angle_deg));
     }
     Preview preview = painter.account();
-    preview.exposure = scene.exposure > 0 ? scene.exposure : fitting_exposure(shown);
+    preview.exposure = scene.exposure > 0 ? scene.exposure : exposure_of(shown);
     preview.picture = blank(shot.width, shot.height);
     for (size_t i = 0; i < shown.size(); ++i) {
         put(preview.picture, shown[i], borders[i + 1] - borders[i], borders[i], 0,
@@ -217,7 +212,7 @@ Preview draw_strip(const SetLookup& set, const reference::DisplacedSurface* surf
             shown.push_back(painter.paint(part, tile_camera(set.manifest(), shot, angle, highest),
                                           {0, shot.tile, shot.tile}, angle));
     Preview preview = painter.account();
-    preview.exposure = scene.exposure > 0 ? scene.exposure : fitting_exposure(shown);
+    preview.exposure = scene.exposure > 0 ? scene.exposure : exposure_of(shown);
     const int step = shot.tile + kGap;
     preview.picture = blank(columns * step - kGap, rows * step - kGap);
     auto pixels = shown.begin();

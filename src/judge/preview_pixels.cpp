@@ -9,11 +9,6 @@ namespace scree {
 
 namespace {
 
-Vec3f single(const Vec3& w)
-{
-    return {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)};
-}
-
 /// Where a set is looked up for what a pixel sees of the plane.
 TexturePlace texture_place(const reference::PlaneView& view, const Manifest& manifest)
 {
@@ -25,17 +20,6 @@ TexturePlace texture_place(const reference::PlaneView& view, const Manifest& man
     return {fraction(view.place.x * per_s), fraction(view.place.y * per_t),
             share(view.along_x.x * per_s),  share(view.along_x.y * per_t),
             share(view.along_y.x * per_s),  share(view.along_y.y * per_t)};
-}
-
-Rgbf set_radiance(const SetLookup& set, const SetTexel& texel, const Material& material,
-                  const Vec3f& wo, const Vec3f& wi)
-{
-    const auto slopes = slopes_of(texel);
-    const float exponent = filter::masking(wo, slopes).lambda + filter::masking(wi, slopes).lambda;
-    const SetColors& colors = set.colors();
-    const ColorModel best = colors.best();
-    const Rgbf color = visible_color(texel, colors, best, colors.adds_slope(best), wo, exponent);
-    return radiance(slopes, color, material, wo, wi);
 }
 
 ShadedPixel shaded(const reference::Radiance& seen, const Material& material)
@@ -57,7 +41,7 @@ LookedUp look_up(const SetLookup& set, const Material& material, const Vec3& lig
     const auto columns = static_cast<size_t>(area.columns);
     const size_t count = columns * static_cast<size_t>(area.rows);
     LookedUp pixels{ShadedPixels(count), ShadedPixels(count)};
-    const Vec3f wi = single(light);
+    const Vec3f wi(light);
     std::mutex telling;
     int done = 0;
     tbb::parallel_for(0, area.rows, [&](int row) {
@@ -67,10 +51,11 @@ LookedUp look_up(const SetLookup& set, const Material& material, const Vec3& lig
             if (!view)
                 continue;
             const SetTexel texel = set.at(texture_place(*view, set.manifest()));
-            const Vec3f wo = single(view->to_viewer);
+            const Vec3f wo(view->to_viewer);
             const size_t pixel = static_cast<size_t>(row) * columns + i;
             pixels.plain[pixel] = {plain_radiance(texel, material, wo, wi), texel.coverage};
-            pixels.set[pixel] = {set_radiance(set, texel, material, wo, wi), texel.coverage};
+            pixels.set[pixel] = {set_radiance(texel, set.colors(), material, wo, wi),
+                                 texel.coverage};
         }
         if (!progress)
             return;

@@ -101,6 +101,16 @@ Rgbf radiance(const filter::Slopes<float>& slopes, const Rgbf& color, const Mate
             color[2] * diffuse + specular};
 }
 
+Rgbf set_radiance(const SetTexel& texel, const SetColors& colors, const Material& material,
+                  const Vec3f& wo, const Vec3f& wi)
+{
+    const auto slopes = slopes_of(texel);
+    const float exponent = filter::masking(wo, slopes).lambda + filter::masking(wi, slopes).lambda;
+    const ColorModel best = colors.best();
+    const Rgbf color = visible_color(texel, colors, best, colors.adds_slope(best), wo, exponent);
+    return radiance(slopes, color, material, wo, wi);
+}
+
 Rgbf plain_radiance(const SetTexel& texel, const Material& material, const Vec3f& wo,
                     const Vec3f& wi)
 {

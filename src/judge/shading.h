@@ -63,6 +63,10 @@ Rgbf visible_color(const SetTexel& texel, const SetColors& colors, ColorModel mo
 Rgbf radiance(const filter::Slopes<float>& slopes, const Rgbf& color, const Material& material,
               const Vec3f& wo, const Vec3f& wi);
 
+/// What a set shows by its best model of color, seen and lit.
+Rgbf set_radiance(const SetTexel& texel, const SetColors& colors, const Material& material,
+                  const Vec3f& wo, const Vec3f& wi);
+
 /// What a plain MIP chain shows: mean color on the mean normal, no spread, no masking.
 Rgbf plain_radiance(const SetTexel& texel, const Material& material, const Vec3f& wo,
                     const Vec3f& wi);

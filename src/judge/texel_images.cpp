@@ -12,11 +12,6 @@ namespace {
 
 constexpr Rgbf kHidden{0.2F, 0.2F, 0.2F};
 
-Vec3f single(const Vec3& w)
-{
-    return {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)};
-}
-
 Picture picture_of(int width, int height)
 {
     return {width, height,
@@ -29,39 +24,18 @@ void put(Picture& picture, size_t pixel, const Rgbf& color)
               picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
 }
 
-Rgbf shown(const SetTexel& texel, const SetColors& colors, const Material& material,
-           const Vec3f& wo, const Vec3f& wi)
-{
-    const auto slopes = slopes_of(texel);
-    const float exponent = filter::masking(wo, slopes).lambda + filter::masking(wi, slopes).lambda;
-    const ColorModel best = colors.best();
-    return radiance(slopes,
-                    visible_color(texel, colors, best, colors.adds_slope(best), wo, exponent),
-                    material, wo, wi);
-}
-
 Rgbf seen(const reference::Estimate& estimate, const Material& material)
 {
-    const reference::Lit& lit = estimate.all.lit.front();
-    Rgbf color;
-    for (size_t i = 0; i < 3; ++i)
-        color[i] =
-            static_cast<float>(lit.diffuse[i] + static_cast<double>(material.f0) * lit.specular);
-    return color;
-}
-
-double exposure_of(const Picture& truth)
-{
-    std::vector<float> values = truth.rgb;
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 98 / 100);
-    std::nth_element(values.begin(), at, values.end());
-    return *at > 0 ? 0.8 / static_cast<double>(*at) : 1;
+    const reference::Rgb radiance =
+        radiance_of(estimate.all.lit.front(), static_cast<double>(material.f0));
+    return {static_cast<float>(radiance[0]), static_cast<float>(radiance[1]),
+            static_cast<float>(radiance[2])};
 }
 
 /// Texels of which nothing is seen show nowhere; gray, and no difference.
 void expose(TexelImages& images, const std::vector<reference::Estimate>& truths)
 {
-    images.exposure = exposure_of(images.truth);
+    images.exposure = fitting_exposure(images.truth.rgb);
     const auto factor = static_cast<float>(images.exposure);
     for (Picture* picture : {&images.plain, &images.set, &images.truth})
         for (float& value : picture->rgb)
@@ -110,11 +84,13 @@ TexelImages draw_texels(SetReader& set, const reference::DisplacedSurface& surfa
     plan.grid = grid;
     const auto truths = reference::gather_all(surface, footprints, plan, progress);
 
+    const Vec3f to_viewer(wo), to_light(wi);
     size_t pixel = 0;
     for (int y = 0; y < height; ++y)
         for (const SetTexel& texel : set.row(level, y)) {
-            put(images.plain, pixel, plain_radiance(texel, material, single(wo), single(wi)));
-            put(images.set, pixel, shown(texel, set.colors(), material, single(wo), single(wi)));
+            put(images.plain, pixel, plain_radiance(texel, material, to_viewer, to_light));
+            put(images.set, pixel,
+                set_radiance(texel, set.colors(), material, to_viewer, to_light));
             put(images.truth, pixel, seen(truths[pixel], material));
             ++pixel;
         }

@@ -47,7 +47,8 @@ void add_views(const ViewCheck& check, const ViewPlan& plan, report::Page& page)
     const report::Table models = model_table(check);
     if (!models.rows.empty())
         page.add(models);
-    page.add(level_table(check));
+    page.add(level_table(check, &ViewError::set));
+    page.add(level_table(check, &ViewError::plain));
     page.add(slope_table(check));
     page.paragraph(fmt::format("{} samples, {} rays, in {:.1f} s: {:.2f} million samples a second.",
                                check.samples, check.rays, check.seconds,
@@ -77,9 +78,9 @@ std::string to_page(const Validation& validation, const ValidationPlan& plan,
                                manifest.height, manifest.levels.size(), manifest.program_version));
     add_verdict(validation, plan, page);
     page.heading("Statistics");
-    page.paragraph(
-        "Every texel of every level against sums over the inputs themselves. Errors "
-        "are those of what a reader recovers, over the yardstick of docs/texture-set.md.");
+    page.paragraph("Every texel of every level against sums over the inputs themselves. Errors "
+                   "are those of what a reader recovers, such as a covariance, over the largest of "
+                   "its kind in the level or in the map.");
     page.add(statistics_table(validation.statistics));
     if (!validation.without_views.empty())
         page.paragraph("What views see was not compared: " + validation.without_views + ".");

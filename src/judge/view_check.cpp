@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kRadPerDegree = 3.14159265358979323846 / 180;
 
-Vec3f single(const Vec3& w)
-{
-    return {static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z)};
-}
-
 /// Half the difference of two halves, the standard error of their mean; 0 where one of them saw
 /// nothing (its weight is 0): that tells nothing, and an error it were taken off would look
 /// smaller.
@@ -89,7 +84,7 @@ public:
         const auto half = [&truth, view_index](size_t i) -> const reference::Seen& {
             return truth.halves[i].seen[view_index];
         };
-        const Vec3f wo = single(view.wo);
+        const Vec3f wo(view.wo);
         const auto slopes = slopes_of(texel);
         const auto masking = filter::masking(wo, slopes);
         sums.area += seen.area;
@@ -100,8 +95,8 @@ public:
         add_colors(texel, wo, masking.lambda, seen, half(0), half(1), sums);
         add_slopes(slopes, filter::visible_slopes(wo, slopes), seen, half(0), half(1), sums);
         for (size_t i = 0; i < lights_.size(); ++i)
-            add_light(texel, slopes, wo, masking.lambda, lights_[i],
-                      view_index * lights_.size() + i, truth, seen.area, sums);
+            add_light(texel, wo, lights_[i], view_index * lights_.size() + i, truth, seen.area,
+                      sums);
     }
 
 private:
@@ -150,30 +145,23 @@ private:
         }
     }
 
-    void add_light(const SetTexel& texel, const filter::Slopes<float>& slopes, const Vec3f& wo,
-                   float lambda_o, const Vec3& light, size_t index,
+    void add_light(const SetTexel& texel, const Vec3f& wo, const Vec3& light, size_t index,
                    const reference::Estimate& truth, double area, Sums& sums) const
     {
-        auto lit = [this, index](const reference::Gathered& gathered, size_t channel) {
-            const reference::Lit& of = gathered.lit[index];
-            return of.diffuse[channel] + static_cast<double>(material_.f0) * of.specular;
-        };
         const size_t view = index / lights_.size();
-        const Vec3f wi = single(light);
-        const float exponent = lambda_o + filter::masking(wi, slopes).lambda;
-        const ColorModel best = colors_.best();
-        const Rgbf color =
-            visible_color(texel, colors_, best, colors_.adds_slope(best), wo, exponent);
-        const Rgbf shown = radiance(slopes, color, material_, wo, wi);
+        const auto f0 = static_cast<double>(material_.f0);
+        const Vec3f wi(light);
+        const Rgbf shown = set_radiance(texel, colors_, material_, wo, wi);
         const Rgbf plain = plain_radiance(texel, material_, wo, wi);
-        for (size_t i = 0; i < 3; ++i) {
-            const double seen = lit(truth.all, i);
-            sums.radiance.add(
-                area, static_cast<double>(shown[i]) - seen, static_cast<double>(plain[i]) - seen,
-                half_difference(truth.halves[0].seen[view].area, truth.halves[1].seen[view].area,
-                                lit(truth.halves[0], i), lit(truth.halves[1], i)),
-                seen);
-        }
+        const reference::Rgb seen = radiance_of(truth.all.lit[index], f0);
+        const reference::Rgb half0 = radiance_of(truth.halves[0].lit[index], f0);
+        const reference::Rgb half1 = radiance_of(truth.halves[1].lit[index], f0);
+        for (size_t i = 0; i < 3; ++i)
+            sums.radiance.add(area, static_cast<double>(shown[i]) - seen[i],
+                              static_cast<double>(plain[i]) - seen[i],
+                              half_difference(truth.halves[0].seen[view].area,
+                                              truth.halves[1].seen[view].area, half0[i], half1[i]),
+                              seen[i]);
     }
 
     const SetColors& colors_;

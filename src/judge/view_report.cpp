@@ -85,7 +85,8 @@ report::Table slope_table(const ViewCheck& check)
 report::Table model_table(const ViewCheck& check)
 {
     report::Table table;
-    table.title = "Visible color by the set's models: rms errors, relative";
+    table.title =
+        "Visible color by the set's models, with color by slope where it has it: rms errors";
     table.headings = {"view deg"};
     table.headings.insert(table.headings.end(), check.models.begin(), check.models.end());
     if (check.models.size() < 2)
@@ -98,11 +99,13 @@ report::Table model_table(const ViewCheck& check)
     return table;
 }
 
-report::Table level_table(const ViewCheck& check)
+report::Table level_table(const ViewCheck& check, double ViewError::*part)
 {
     report::Table table;
-    table.title = "Radiance level by level: rms errors of the set, relative, by degrees from the "
-                  "normal";
+    table.title =
+        fmt::format("Radiance level by level: rms errors of {}, relative, by degrees from "
+                    "the normal",
+                    part == &ViewError::plain ? "a plain MIP chain" : "the set");
     table.headings = {"level"};
     int levels = 0;
     for (const ViewErrors& errors : check.levels)
@@ -112,7 +115,7 @@ report::Table level_table(const ViewCheck& check)
     for (const ViewErrors& errors : check.levels) {
         if (errors.level == 0)
             table.headings.push_back(angle_of(errors));
-        table.rows[static_cast<size_t>(errors.level)].push_back(number(errors.radiance.set));
+        table.rows[static_cast<size_t>(errors.level)].push_back(number(errors.radiance.*part));
     }
     return table;
 }

@@ -17,8 +17,8 @@ report::Table slope_table(const ViewCheck& check);
 /// The visible color's error by every model that the set has; no rows where it has but the mean.
 report::Table model_table(const ViewCheck& check);
 
-/// Error of the radiance level by level, a column an angle.
-report::Table level_table(const ViewCheck& check);
+/// Error of the radiance level by level, a column an angle: the set's, or a plain MIP chain's.
+report::Table level_table(const ViewCheck& check, double ViewError::*part);
 
 /// Errors of color and radiance over the view's angle: a plain MIP chain, the set, and the
 /// reference's own noise.

@@ -78,6 +78,4 @@ double SharePositions::at(double u) const
     return first_ + static_cast<double>(texel) + std::min(inside, 1 - 0x1p-32);
 }
 
-double position_at(const AxisShares& shares, double u) { return SharePositions(shares).at(u); }
-
 } // namespace scree::reference

@@ -41,7 +41,4 @@ private:
     std::vector<double> edges_; ///< share that lies before each texel; the last: all of it
 };
 
-/// The same for a single position.
-double position_at(const AxisShares& shares, double u);
-
 } // namespace scree::reference

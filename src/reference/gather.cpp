@@ -6,26 +6,12 @@
 
 #include <tbb/parallel_for.h>
 
+#include "reference/facet.h"
 #include "reference/jitter.h"
 #include "reference/view_sums.h"
 
 namespace scree::reference {
 namespace {
-
-constexpr double kTwoPi = 6.28318530717958647693;
-
-/// What a pair of view and light asks of each sample.
-struct HalfVector {
-    Vec2 slope{0, 0}; ///< of the facet that mirrors the light into the view
-    double scale = 0; ///< 1 / (4 h.z^4) times the peak of the facets' slope density
-};
-
-HalfVector half_vector(const Vec3& wo, const Vec3& wi, double base_alpha)
-{
-    const Vec3 h = (wo + wi).normalized();
-    const double peak = 2 / (kTwoPi * base_alpha * base_alpha); // 1 / (2 pi variance)
-    return {{-h.x / h.z, -h.y / h.z}, peak / (4 * h.z * h.z * h.z * h.z)};
-}
 
 class Gatherer {
 public:
@@ -45,8 +31,8 @@ private:
 
     const DisplacedSurface& surface_;
     const GatherPlan& plan_;
-    std::vector<HalfVector> halves_; ///< views x lights
-    std::vector<double> visible_;    ///< of each view at this sample: V W weight
+    std::vector<MirrorLobe> lobes_; ///< views x lights
+    std::vector<double> visible_;   ///< of each view at this sample: V W weight
     long long rays_ = 0;
 };
 
@@ -55,12 +41,8 @@ Gatherer::Gatherer(const DisplacedSurface& surface, const GatherPlan& plan)
 {
     for (const Vec3& view : plan.views)
         for (const Vec3& light : plan.lights)
-            halves_.push_back(half_vector(view, light, plan.base_alpha));
+            lobes_.emplace_back(view, light, plan.base_alpha);
 }
-
-/// Projected area towards w of a face, per area of the mean plane; negative where it is turned
-/// away.
-double towards(const Vec3& w, const Vec2& slope) { return w.z - w.x * slope.x - w.y * slope.y; }
 
 bool Gatherer::add_views(GatherSums& sums, double s, double t, const SurfacePoint& point)
 {
@@ -89,7 +71,6 @@ void Gatherer::add_light(GatherSums& sums, size_t light, const SurfacePoint& poi
 {
     const double normal_length = std::sqrt(1 + point.slope.length2());
     const double cosine = towards(plan_.lights[light], point.slope) / normal_length;
-    const double precision = 1 / (plan_.base_alpha * plan_.base_alpha); // 1 / (2 variance)
     for (size_t v = 0; v < plan_.views.size(); ++v) {
         if (!(visible_[v] > 0))
             continue;
@@ -100,9 +81,7 @@ void Gatherer::add_light(GatherSums& sums, size_t light, const SurfacePoint& poi
             lit.color[c] += visible_[v] * point.color[c];
             lit.diffuse[c] += visible_[v] * point.color[c] * cosine;
         }
-        const HalfVector& half = halves_[pair];
-        lit.specular +=
-            point.weight * half.scale * std::exp(-precision * (half.slope - point.slope).length2());
+        lit.specular += point.weight * lobes_[pair].at(point.slope);
     }
 }
 
@@ -147,6 +126,14 @@ Estimate Gatherer::run(const Footprint& footprint, uint64_t index)
 }
 
 } // namespace
+
+Rgb radiance_of(const Lit& lit, double f0)
+{
+    Rgb radiance = lit.diffuse;
+    for (double& c : radiance)
+        c += f0 * lit.specular;
+    return radiance;
+}
 
 Estimate gather(const DisplacedSurface& surface, const Footprint& footprint, const GatherPlan& plan,
                 uint64_t index)

@@ -32,6 +32,9 @@ struct Lit {
     double specular = 0; ///< E[Vo Vi p(slope of h - slope)] / (4 h.z^4 E[Vo W]), likewise
 };
 
+/// Radiance over irradiance of facets that mirror the share f0 of the light.
+Rgb radiance_of(const Lit& lit, double f0);
+
 struct Gathered {
     std::vector<Seen> seen; ///< one a view
     std::vector<Lit> lit;   ///< views x lights

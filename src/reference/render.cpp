@@ -5,15 +5,13 @@
 
 #include <tbb/parallel_for.h>
 
+#include "reference/facet.h"
 #include "reference/jitter.h"
 
 namespace scree::reference {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-
-/// Projected area of a facet towards w, per area of the mean plane.
-double towards(const Vec3& w, const Vec2& slope) { return w.z - w.x * slope.x - w.y * slope.y; }
 
 /// Sums of Radiance over rays, weighted with the data's weight.
 struct RadianceSums {
@@ -54,24 +52,11 @@ public:
 private:
     void add(RadianceSums& sums, const Ray& ray);
 
-    /// The facets' lobe over the projected area of the facet: of each ray, what gather() takes of
-    /// each sample of the plane, which sees a facet in proportion to that area.
-    [[nodiscard]] double specular(const Vec3& to_viewer, const Vec2& slope, double facing) const;
-
     const DisplacedSurface& surface_;
     const Camera& camera_;
     const RenderPlan& plan_;
     long long rays_ = 0;
 };
-
-double Renderer::specular(const Vec3& to_viewer, const Vec2& slope, double facing) const
-{
-    const Vec3 h = (to_viewer + plan_.light).normalized();
-    const Vec2 of_half(-h.x / h.z, -h.y / h.z);
-    const double precision = 1 / (plan_.base_alpha * plan_.base_alpha); // 1 / (2 variance)
-    const double density = precision / kPi * std::exp(-precision * (of_half - slope).length2());
-    return density / (4 * h.z * h.z * h.z * h.z * facing);
-}
 
 void Renderer::add(RadianceSums& sums, const Ray& ray)
 {
@@ -96,7 +81,10 @@ void Renderer::add(RadianceSums& sums, const Ray& ray)
     const double cosine = lit / std::sqrt(1 + point.slope.length2());
     for (size_t c = 0; c < 3; ++c)
         sums.sum.diffuse[c] += point.weight * point.color[c] * cosine / kPi;
-    sums.sum.specular += point.weight * specular(-ray.direction, point.slope, facing);
+    // Of each ray what gather() takes of each sample of the plane, which sees a facet in proportion
+    // to its projected area.
+    const MirrorLobe lobe(-ray.direction, plan_.light, plan_.base_alpha);
+    sums.sum.specular += point.weight * lobe.at(point.slope) / facing;
 }
 
 RenderedPixel Renderer::pixel(int column, int row)
@@ -104,15 +92,13 @@ RenderedPixel Renderer::pixel(int column, int row)
     const auto x = static_cast<uint64_t>(column), y = static_cast<uint64_t>(row);
     const uint64_t index = y << 32 | x;
     std::array<RadianceSums, 2> halves;
-    for (int j = 0; j < plan_.grid; ++j)
-        for (int i = 0; i < plan_.grid; ++i) {
-            const auto inside =
-                jitter(plan_.seed, index,
-                       static_cast<uint64_t>(j) * static_cast<uint64_t>(plan_.grid) +
-                           static_cast<uint64_t>(i));
-            add(halves[static_cast<size_t>((i + j) % 2)],
-                camera_.ray(column + (i + inside[0]) / plan_.grid,
-                            row + (j + inside[1]) / plan_.grid));
+    const auto grid = static_cast<uint64_t>(plan_.grid);
+    for (uint64_t j = 0; j < grid; ++j)
+        for (uint64_t i = 0; i < grid; ++i) {
+            const auto inside = jitter(plan_.seed, index, j * grid + i);
+            add(halves[half_of(plan_.seed, index, i, j)],
+                camera_.ray(column + (static_cast<double>(i) + inside[0]) / plan_.grid,
+                            row + (static_cast<double>(j) + inside[1]) / plan_.grid));
         }
     RenderedPixel pixel;
     for (size_t half = 0; half < 2; ++half)

@@ -33,7 +33,7 @@ struct Radiance {
     double specular = 0; ///< the facets' lobe, for a reflectance of 1
 };
 
-/// A pixel, and what it is worth: `halves` are of every other ray (checkerboard).
+/// A pixel, and what it is worth: `halves` are of every other ray, as of Estimate.
 struct RenderedPixel {
     Radiance all;
     std::array<Radiance, 2> halves;

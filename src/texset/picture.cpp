@@ -100,6 +100,15 @@ void check_picture_name(const std::filesystem::path& file)
     }
 }
 
+double fitting_exposure(std::vector<float> values)
+{
+    if (values.empty())
+        return 1;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 98 / 100);
+    std::nth_element(values.begin(), at, values.end());
+    return *at > 0 ? 0.8 / static_cast<double>(*at) : 1;
+}
+
 std::vector<uint8_t> png_bytes(const Picture& picture)
 {
     std::vector<unsigned char> bytes;

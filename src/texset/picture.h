@@ -12,6 +12,9 @@ struct Picture {
     std::vector<float> rgb;
 };
 
+/// The exposure that makes the brightest of some values, but for 2 %, 0.8; 1 where all are 0.
+double fitting_exposure(std::vector<float> values);
+
 /// Eight-bit sRGB PNG; values are clamped to [0, 1], NaN shows as magenta.
 std::vector<uint8_t> png_bytes(const Picture& picture);
 

@@ -88,7 +88,7 @@ oiiotool art/bricks.height.exr --mulc 2 -o changed/bricks.height.exr
 expect_error "a changed input" 'bricks.height.exr: is not the file the set was baked from' -- \
     "$scree" validate bricks.set --inputs changed
 expect_error "a missing input" 'bricks.height.exr: .*--inputs' -- "$scree" validate bricks.set
-expect_error "no such folder" 'nowhere: no such folder' -- "$scree" validate bricks.set --inputs nowhere
+expect_error "no such folder" 'nowhere: is no folder' -- "$scree" validate bricks.set --inputs nowhere
 cp art/bricks.*.exr .
 expect_success "inputs in the current folder" -- "$scree" validate bricks.set --statistics-only --quiet
 rm bricks.*.exr

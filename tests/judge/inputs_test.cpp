@@ -80,7 +80,7 @@ TEST(Inputs, MissingOnesAreNamedWithTheRemedy)
     const std::string error = error_of(manifest, temp / "sets" / "rock", {});
     EXPECT_NE(error.find("rock.exr"), std::string::npos) << error;
     EXPECT_NE(error.find("--inputs"), std::string::npos) << error;
-    EXPECT_NE(error_of(manifest, temp / "sets" / "rock", {temp / "no"}).find("no such folder"),
+    EXPECT_NE(error_of(manifest, temp / "sets" / "rock", {temp / "no"}).find("is no folder"),
               std::string::npos);
     EXPECT_NE(error_of({}, temp / "sets" / "rock", {}).find("not baked from files"),
               std::string::npos);

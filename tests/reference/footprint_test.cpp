@@ -76,6 +76,8 @@ TEST(Footprint, LevelsGoDownToOneTexel)
     EXPECT_EQ(inner.t.first, 16);
 }
 
+double position_at(const AxisShares& shares, double u) { return SharePositions(shares).at(u); }
+
 TEST(Footprint, PositionsInvertTheShareThatLiesBefore)
 {
     const AxisShares shares{3, {0.25, 0.5, 0.125, 0.125}};
