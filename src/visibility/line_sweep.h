@@ -1,0 +1,82 @@
+#pragma once
+
+#include <vector>
+
+#include "visibility/height_grid.h"
+
+namespace scree {
+
+/// How lines lie on a level: they step from texel to texel along one axis, away from the viewer.
+struct LineDirection {
+    bool along_s;  ///< the axis that the lines cross faster
+    int away;      ///< +1 where the texels' number grows on the way
+    double length; ///< of a step, world units
+    double shift;  ///< texels across, a step away
+
+    /// azimuth_rad  of the viewer, from +s towards +t
+    LineDirection(const HeightGrid& grid, int level, double azimuth_rad, bool along_s);
+};
+
+/// The axis that lines of an azimuth cross faster, counted in texels of level 0.
+bool goes_along_s(const HeightGrid& grid, double azimuth_rad);
+
+/// Lines side by side on one level, a texel apart, followed away from the viewer: of each elevation
+/// the running maximum of the height above the line of sight.
+///
+/// Places are texels along the lines, positions lie across them; texel centres are whole numbers.
+class LineSweep {
+public:
+    /// cotangents  of the elevations' angles from the normal
+    LineSweep(const HeightGrid& grid, int level, double azimuth_rad, bool along_s,
+              const std::vector<double>& cotangents);
+
+    [[nodiscard]] const LineDirection& direction() const { return direction_; }
+    [[nodiscard]] int level() const { return level_; }
+    [[nodiscard]] int first_place() const; ///< of the map, as seen from the viewer
+    [[nodiscard]] bool ends() const;       ///< the map does, along the lines
+
+    /// Lines that cover positions [from, to] at a place; nothing is seen so far.
+    void lay(int place, double from, double to);
+
+    /// Positions of the lines at a place, halves included.
+    [[nodiscard]] double first_position(double place) const { return first_ + across(place); }
+    [[nodiscard]] double last_position(double place) const
+    {
+        return first_position(place) + count_ - 1;
+    }
+
+    /// What coarser lines have seen, before the step to `place`. They end before it.
+    void take_over(const LineSweep& coarse, int place);
+
+    /// The place where coarser lines are to end so that they may be taken over at `place`.
+    [[nodiscard]] int end_before(const LineSweep& fine, int place) const;
+
+    /// Follows the lines through `steps` places from `place` on.
+    void pass(int place, int steps);
+
+    /// The same; of each place the visible areas of the texels at positions [from, from + count):
+    /// E[V W] / cos theta.
+    ///
+    /// visible  an elevation: `steps` rows of `count` numbers, in the order of the steps
+    void see(int place, int steps, int from, int count, float* const* visible);
+
+private:
+    [[nodiscard]] double across(double place) const;
+    void read(int place, int steps);
+    [[nodiscard]] const float* heights_from(int place, int position) const;
+    void go_to(int place);
+
+    const HeightGrid& grid_;
+    int level_;
+    LineDirection direction_;
+    std::vector<double> drops_;              ///< of the line of sight a step, world units
+    std::vector<std::vector<float>> maxima_; ///< an elevation: of each line, in drops
+    int origin_ = 0, first_ = 0, count_ = 0; ///< lines are at first_ + j + across(place)
+    double end_ = 0;                         ///< the last place, halves included
+    int window_place_ = 0, window_first_ = 0, window_columns_ = 0;
+    std::vector<float> window_, unturned_;           ///< heights, places down, positions across
+    std::vector<float> centre_, edge_, nearer_edge_; ///< heights of the lines where they are
+    std::vector<float> rise_;
+};
+
+} // namespace scree

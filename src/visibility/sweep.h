@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "visibility/height_grid.h"
+
+namespace scree {
+
+/// A rectangle of level-0 texels, inside the map.
+struct TexelBlock {
+    int x0 = 0, y0 = 0, width = 0, height = 0;
+};
+
+/// What views from one azimuth, at several elevations, see of a block of texels:
+///
+///   v = E[V W] / cos theta
+///
+/// over the texel, W the projected area of the surface towards the view, V whether it is visible;
+/// 1 on a plane, and on average over a map that goes on.
+///
+/// Lines run towards the viewer, one texel apart, and are followed away from him. With the height
+/// above the line of sight g = h - d cot theta, d the distance towards the viewer, a point is
+/// visible where no g nearer to him is higher; so the visible area, projected, is what the running
+/// maximum of g rises by. No horizon is kept, no slope is needed, and the areas of a line add up to
+/// its length times cos theta whatever the heights are. Derived in docs/visibility.md.
+///
+/// A line's profile is the bilinear surface at the rows (or columns, whichever it crosses faster)
+/// of texel centres and halfway between, straight in between. A texel gets what the line nearest to
+/// its centre sees in it: a sample, of which areas of 4x4 texels and more have enough (figures in
+/// docs/visibility.md).
+///
+/// Lines begin where nothing beyond can hide the block: up to kNearSteps texels before it on level
+/// 0, then as many texels of each coarser level. Time a texel is constant but for that.
+///
+/// heights      any
+/// azimuth_rad  of the viewer, from +s towards +t
+/// cotangents   of the angles from the normal, > 0
+/// visible      an elevation: width x height numbers >= 0, row by row; 0 where there is no data
+void sweep(const HeightGrid& heights, const TexelBlock& block, double azimuth_rad,
+           const std::vector<double>& cotangents, float* const* visible);
+
+constexpr int kNearSteps = 256;
+
+} // namespace scree
