@@ -30,6 +30,8 @@ float* place(SetTexel& texel, Map map, size_t i, size_t terms)
         return i % 2 == 0 ? &texel.color_s[blue_first] : &texel.color_t[blue_first];
     case Map::rank:
         return &texel.rank[i % terms][blue_first];
+    case Map::visible:
+        return &texel.visible[i];
     case Map::tail:
         return &texel.tau;
     case Map::coverage:

@@ -16,7 +16,8 @@ struct SetTexel {
     float h = 0, hh = 0; ///< E[hn], E[hn hn]
     std::array<float, 3> color_height{};
     std::array<float, 3> color_s{}, color_t{};
-    std::array<std::array<float, 3>, 8> rank{}; ///< a_1 .. a_8
+    std::array<std::array<float, 3>, 8> rank{};        ///< a_1 .. a_8
+    std::array<float, kMostVisibleChannels> visible{}; ///< in the order of the file
     float coverage = 1;
     float world_height = 0; ///< mean, world units; of the bumpslopes layout
 };

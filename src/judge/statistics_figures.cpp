@@ -164,7 +164,8 @@ void add_figures(const TextureRecord& texture, std::vector<Figure>& figures)
     case Map::coverage:
         add("coverage", Yardstick::one, coverage);
         break;
-    case Map::map: // a table, not of texels
+    case Map::visible: // not a sum over texels by themselves: held against the reference's views
+    case Map::map:     // a table, not of texels
         break;
     }
 }

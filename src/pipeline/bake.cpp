@@ -12,6 +12,7 @@
 #include "pipeline/map_choice.h"
 #include "pipeline/model_choice.h"
 #include "pipeline/pixel_types.h"
+#include "pipeline/spooled_heights.h"
 #include "pipeline/surface.h"
 #include "pipeline/thread_limit.h"
 #include "pipeline/warnings.h"
@@ -30,14 +31,32 @@ TexelMoments texels_of(const Surface& surface, const MomentLayout& layout)
             surface.texel[1]};
 }
 
+/// What views see of a surface, for one pass over it.
+class SeenRows {
+public:
+    SeenRows(const HeightGrid& heights, const VisibilityPlan& table,
+             const std::vector<ViewAngles>& views)
+        : components_(table, views), bands_(heights, components_)
+    {}
+
+    [[nodiscard]] VisibleBands* bands() { return components_.count() > 0 ? &bands_ : nullptr; }
+
+private:
+    ViewComponents components_;
+    VisibleBands bands_;
+};
+
 /// Goes over the surface to measure: what storage costs, for the pixel types, and what every color
 /// model costs, for the choice of maps. The levels reported then know of maps that are dropped.
+///
+/// heights  what views see is swept over; null where no map asks for it
 void measure(const Surface& surface, const std::vector<Map>& maps, const MapTable* table,
-             Manifest& manifest)
+             const HeightGrid* heights, Manifest& manifest)
 {
     const BakeOptions& options = surface.options;
     const int width = surface.width(), height = surface.height();
-    const MomentLayout layout = moments_for(maps, options.rank_terms, surface.source, options);
+    const TableSizes tables{options.rank_terms, table_of(maps, options)};
+    const MomentLayout layout = moments_for(maps, tables, 0, surface.source, options);
     LevelReport report(layout, width, height, surface.found.h1);
     std::vector<TexelVisitor*> visitors;
     auto visit = [&visitors](const std::vector<TexelVisitor*>& more) {
@@ -52,7 +71,11 @@ void measure(const Surface& surface, const std::vector<Map>& maps, const MapTabl
                                height)});
         visit(report.visitors());
     }
-    StripReader strips(surface.source, surface.found, options, false);
+    std::optional<SeenRows> seen;
+    if (heights != nullptr)
+        seen.emplace(*heights, tables.visibility, std::vector<ViewAngles>());
+    StripReader strips(surface.source, surface.found, options, seen ? seen->bands() : nullptr,
+                       false);
     MomentPyramid pyramid(layout, width, height, visitors);
     measure_pass(strips, pyramid, texels_of(surface, layout), height, surface.monitor);
 
@@ -83,12 +106,13 @@ void drop_maps(const BakeOptions& options, std::vector<Map>& maps, Manifest& man
 /// Writes all textures but the table of a color map; returns the summaries of their levels, those
 /// of the measuring pass where there are any: they know of more maps.
 std::vector<LevelSummary> write_textures(const Surface& surface, const std::vector<Map>& maps,
-                                         const Manifest& manifest,
+                                         const HeightGrid* heights, const Manifest& manifest,
                                          const std::filesystem::path& folder)
 {
-    const int rank_terms =
-        manifest.model_choice ? rank_terms_of(*manifest.model_choice) : surface.options.rank_terms;
-    const MomentLayout layout = moments_for(maps, rank_terms, surface.source, surface.options);
+    const TableSizes tables{manifest.model_choice ? rank_terms_of(*manifest.model_choice)
+                                                  : surface.options.rank_terms,
+                            table_of(maps, surface.options)};
+    const MomentLayout layout = moments_for(maps, tables, 0, surface.source, surface.options);
     LevelReport report(layout, surface.width(), surface.height(), surface.found.h1);
     std::vector<TextureOutput> outputs;
     const bool is_reported = !manifest.levels.empty();
@@ -110,7 +134,11 @@ std::vector<LevelSummary> write_textures(const Surface& surface, const std::vect
         visitors.push_back(output.rows.get());
         outputs.push_back(std::move(output));
     }
-    StripReader strips(surface.source, surface.found, surface.options, true);
+    std::optional<SeenRows> seen;
+    if (heights != nullptr)
+        seen.emplace(*heights, tables.visibility, std::vector<ViewAngles>());
+    StripReader strips(surface.source, surface.found, surface.options,
+                       seen ? seen->bands() : nullptr, true);
     MomentPyramid pyramid(layout, surface.width(), surface.height(), visitors);
     write_pass(strips, pyramid, texels_of(surface, layout), outputs, surface.height(),
                surface.monitor);
@@ -153,7 +181,15 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
     describe(surface, manifest);
     std::vector<Map> maps =
         choose_maps(source, options, surface.has_color(), surface.found.complete);
-    manifest.textures = textures_for(maps, options.rank_terms, options, manifest.name);
+    const TableSizes tables{options.rank_terms, table_of(maps, options)};
+    manifest.textures = textures_for(maps, tables, options, manifest.name);
+    std::optional<SpooledHeights> heights;
+    if (tables.visibility.components() > 0) {
+        heights.emplace(surface, folder.path());
+        manifest.visibility = {tables.visibility.node_angles_deg, tables.visibility.harmonics,
+                               tables.visibility.azimuths};
+    }
+    const HeightGrid* seen_from = heights ? &*heights : nullptr;
     const bool by_height = options.map_by == MapBy::height;
     // By height it is one of the models to be measured; by slope it is made of the slopes found.
     std::optional<ColorTable> table;
@@ -161,10 +197,10 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
         table = color_table_by_height(*surface.mapped, surface.found, options.map_tolerance);
 
     if (options.auto_maps || options.pixel_type == PixelTypeChoice::automatic)
-        measure(surface, maps, table ? &table->table : nullptr, manifest);
+        measure(surface, maps, table ? &table->table : nullptr, seen_from, manifest);
     if (options.auto_maps)
         drop_maps(options, maps, manifest);
-    manifest.levels = write_textures(surface, maps, manifest, folder.path());
+    manifest.levels = write_textures(surface, maps, seen_from, manifest, folder.path());
     if (has_table(manifest) && !by_height)
         table =
             color_table_by_slope(*surface.mapped, manifest.levels.front(), options.map_tolerance);

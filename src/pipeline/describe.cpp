@@ -2,10 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "pipeline/color_table.h"
 #include "version.h"
 
 namespace scree {
+
+namespace {
+
+constexpr double kRadian = 0.017453292519943295769;
+
+} // namespace
 
 void describe(const Surface& surface, Manifest& manifest)
 {
@@ -36,14 +44,29 @@ void describe(const Surface& surface, Manifest& manifest)
         manifest.color_map = color_map_record(*surface.mapped, options);
 }
 
-std::vector<TextureRecord> textures_for(const std::vector<Map>& maps, int rank_terms,
+namespace {
+
+std::vector<std::string> channels_of(Map map, const TableSizes& tables)
+{
+    const VisibilityPlan& visibility = tables.visibility;
+    if (map == Map::rank)
+        return rank_channels(tables.rank_terms);
+    if (map == Map::visible)
+        return visible_channels(static_cast<int>(visibility.node_angles_deg.size()),
+                                visibility.harmonics);
+    return map_info(map).channels;
+}
+
+} // namespace
+
+std::vector<TextureRecord> textures_for(const std::vector<Map>& maps, const TableSizes& tables,
                                         const BakeOptions& options, const std::string& name)
 {
     std::vector<TextureRecord> textures;
     for (const Map map : maps) {
         TextureRecord texture;
         texture.map = map;
-        texture.channels = map == Map::rank ? rank_channels(rank_terms) : map_info(map).channels;
+        texture.channels = channels_of(map, tables);
         texture.file = fmt::format("{}.{}.exr", name, map_info(map).name);
         const bool half = options.pixel_type == PixelTypeChoice::half && map != Map::map;
         texture.type = half ? PixelType::half : PixelType::float32;
@@ -79,6 +102,15 @@ Attributes attributes_of(Map map, const Manifest& manifest)
         if (manifest.color_map->by == "slope")
             attributes.emplace_back("scree:azimuthDegrees",
                                     static_cast<float>(manifest.color_map->azimuth_deg));
+    }
+    if (map == Map::visible && manifest.visibility) {
+        const VisibilityRecord& table = *manifest.visibility;
+        attributes.emplace_back("scree:nodes", static_cast<int>(table.node_angles_deg.size()));
+        attributes.emplace_back("scree:harmonics", table.harmonics);
+        for (size_t i = 0; i < table.node_angles_deg.size(); ++i)
+            attributes.emplace_back(
+                fmt::format("scree:nodeCosine{}", i + 1),
+                static_cast<float>(std::cos(table.node_angles_deg[i] * kRadian)));
     }
     if (!manifest.working_space.empty())
         attributes.emplace_back("scree:workingSpace", manifest.working_space);

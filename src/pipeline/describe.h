@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pipeline/surface.h"
+#include "pipeline/texture_values.h"
 #include "texset/attributes.h"
 #include "texset/manifest.h"
 
@@ -11,8 +12,8 @@ void describe(const Surface& surface, Manifest& manifest);
 
 /// One texture a map, of the type that was given, or float.
 ///
-/// rank_terms  of a rank table
-std::vector<TextureRecord> textures_for(const std::vector<Map>& maps, int rank_terms,
+/// tables  sizes of those of rank and of visibility
+std::vector<TextureRecord> textures_for(const std::vector<Map>& maps, const TableSizes& tables,
                                         const BakeOptions& options, const std::string& name);
 
 /// What the header of a texture says, so that a file without its set still explains itself.

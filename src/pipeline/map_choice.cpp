@@ -11,16 +11,22 @@ namespace scree {
 
 namespace {
 
-std::vector<Map> all_maps(const Source& source, bool has_color, bool has_table)
+/// Tables of visibility stand for the other ways that color follows the view.
+std::vector<Map> all_maps(const Source& source, const BakeOptions& options, bool has_color)
 {
+    const bool sees = options.visibility == Visibility::tables;
     std::vector<Map> maps = {Map::slope, Map::tail};
     if (source.has_heights())
         maps.push_back(Map::height);
     if (has_color)
-        maps.insert(maps.end(), {Map::color, Map::colorslope});
-    if (has_color && source.has_heights())
+        maps.push_back(Map::color);
+    if (has_color && sees)
+        maps.push_back(Map::visible);
+    if (has_color && !sees)
+        maps.push_back(Map::colorslope);
+    if (has_color && !sees && source.has_heights())
         maps.insert(maps.end(), {Map::colorheight, Map::rank});
-    if (has_table)
+    if (!options.colormap_file.empty() && !sees)
         maps.push_back(Map::map);
     return maps;
 }
@@ -29,8 +35,8 @@ void expect_inputs(Map map, const Source& source, const BakeOptions& options, bo
 {
     const std::string& name = map_info(map).name;
     MomentSet needs;
-    require_moments(map, options.rank_terms, needs);
-    if (needs.height && !source.has_heights())
+    require_moments(map, {options.rank_terms, options.table}, needs);
+    if ((needs.height || map == Map::visible) && !source.has_heights())
         throw Error(fmt::format("--maps {}: needs heights, and a normal map has none", name));
     if (needs.color && !has_color)
         throw Error(fmt::format("--maps {}: needs a color; give --color or --colormap", name));
@@ -45,9 +51,8 @@ std::vector<Map> choose_maps(const Source& source, const BakeOptions& options, b
 {
     if (options.layout == Layout::bumpslopes)
         return {Map::bumpslopes};
-    std::vector<Map> maps = options.maps.empty()
-                                ? all_maps(source, has_color, !options.colormap_file.empty())
-                                : options.maps;
+    std::vector<Map> maps =
+        options.maps.empty() ? all_maps(source, options, has_color) : options.maps;
     for (const Map map : maps)
         expect_inputs(map, source, options, has_color);
     if (!complete)
@@ -57,13 +62,20 @@ std::vector<Map> choose_maps(const Source& source, const BakeOptions& options, b
     return maps;
 }
 
-MomentLayout moments_for(const std::vector<Map>& maps, int rank_terms, const Source& source,
-                         const BakeOptions& options)
+VisibilityPlan table_of(const std::vector<Map>& maps, const BakeOptions& options)
+{
+    const bool has_table = std::find(maps.begin(), maps.end(), Map::visible) != maps.end();
+    return has_table ? options.table : VisibilityPlan();
+}
+
+MomentLayout moments_for(const std::vector<Map>& maps, const TableSizes& tables, int views,
+                         const Source& source, const BakeOptions& options)
 {
     MomentSet set;
     set.slope = false;
     for (const Map map : maps)
-        require_moments(map, rank_terms, set);
+        require_moments(map, tables, set);
+    set.views = views;
     set.height = set.height && source.has_heights();
     const bool mapped_by_slope = !options.colormap_file.empty() && options.map_by != MapBy::height;
     const bool has_table = std::find(maps.begin(), maps.end(), Map::map) != maps.end();

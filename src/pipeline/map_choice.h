@@ -4,6 +4,7 @@
 
 #include "pipeline/options.h"
 #include "pipeline/source.h"
+#include "pipeline/texture_values.h"
 #include "stats/moment_layout.h"
 
 namespace scree {
@@ -16,10 +17,14 @@ namespace scree {
 std::vector<Map> choose_maps(const Source& source, const BakeOptions& options, bool has_color,
                              bool complete);
 
+/// The table of visibility among the maps; without nodes where there is none.
+VisibilityPlan table_of(const std::vector<Map>& maps, const BakeOptions& options);
+
 /// The moments that maps need, and those that the fit report takes besides.
 ///
-/// rank_terms  of a rank table
-MomentLayout moments_for(const std::vector<Map>& maps, int rank_terms, const Source& source,
-                         const BakeOptions& options);
+/// tables  sizes of those of rank and of visibility
+/// views   single views that a measurement takes besides
+MomentLayout moments_for(const std::vector<Map>& maps, const TableSizes& tables, int views,
+                         const Source& source, const BakeOptions& options);
 
 } // namespace scree

@@ -99,6 +99,12 @@ void expect_sensible(const BakeOptions& options)
     expect_tolerance(options.model_tolerance, "--model-tolerance");
     if (options.rank_terms < 1 || options.rank_terms > kMaxRankTerms)
         throw Error(fmt::format("--rank-terms must be 1 to {}", kMaxRankTerms));
+    const VisibilityPlan& table = options.table;
+    if (table.harmonics < 0 || table.harmonics > kMaxHarmonics)
+        throw Error(fmt::format("--harmonics {}: must be 0 to {}", table.harmonics, kMaxHarmonics));
+    if (table.azimuths <= 2 * table.harmonics || table.azimuths > kMaxAzimuths)
+        throw Error(fmt::format("--azimuths {}: must be {} (more than twice the harmonics) to {}",
+                                table.azimuths, 2 * table.harmonics + 1, kMaxAzimuths));
     if (options.layout == Layout::bumpslopes && (!options.maps.empty() || options.auto_maps))
         throw Error("--maps goes with --layout scree; bumpslopes is one file of its own");
     if (options.layout == Layout::bumpslopes && !options.colormap_file.empty())
@@ -145,6 +151,14 @@ NormalRange normal_range_named(const std::string& name)
                               {{"auto", NormalRange::automatic},
                                {"unsigned", NormalRange::unsigned_unit},
                                {"signed", NormalRange::signed_unit}});
+}
+
+Visibility visibility_named(const std::string& name)
+{
+    return named<Visibility>("--visibility", name,
+                             {{"smith", Visibility::smith},
+                              {"corrected", Visibility::corrected},
+                              {"tables", Visibility::tables}});
 }
 
 MapBy map_by_named(const std::string& name, bool azimuth_given)

@@ -12,12 +12,19 @@
 #include "stats/cell.h"
 #include "texset/channels.h"
 #include "texset/chunk_codec.h"
+#include "visibility/view_components.h"
 
 namespace scree {
 
 enum class Wrap { periodic, clamp, mirror, black };
 enum class PixelTypeChoice { automatic, half, float32 };
 enum class Layout { scree, bumpslopes };
+/// How the visible color is told.
+enum class Visibility {
+    smith,     ///< models whose exponent is Smith's, from the slopes
+    corrected, ///< the same, the exponent fitted to what was measured on the heights
+    tables,    ///< tables of what was measured
+};
 enum class NormalRange { automatic, unsigned_unit, signed_unit };
 
 /// What a color map is a function of.
@@ -65,6 +72,8 @@ struct BakeOptions {
     double max_view_angle_deg = 85; ///< from the normal; the steepest view that auto_maps looks at
     double model_tolerance = 0.01;  ///< of the visible color, relative, see pipeline/model_errors.h
     int rank_terms = kDefaultRankTerms; ///< of a rank table, 1 to 8
+    Visibility visibility = Visibility::smith;
+    VisibilityPlan table{best_node_angles(kDefaultNodes), 0, 8}; ///< of Map::visible
     PixelTypeChoice pixel_type = PixelTypeChoice::automatic;
     double half_tolerance = 0.01; ///< see pipeline/storage_error.h
     Compression compression = Compression::zip;
@@ -94,6 +103,7 @@ PixelTypeChoice pixel_type_choice_named(const std::string& name);
 Layout layout_named(const std::string& name);
 std::string layout_name(Layout layout);
 NormalRange normal_range_named(const std::string& name);
+Visibility visibility_named(const std::string& name);
 bool input_is_normal(const std::string& name);
 /// height, or slope: with an azimuth the slope along it, without its magnitude.
 MapBy map_by_named(const std::string& name, bool azimuth_given);

@@ -22,6 +22,9 @@ StorageError::StorageError(Map map, const MomentLayout& layout, const ValueScale
 
 namespace {
 
+/// Less area than this, relative, no reader divides by; see scree_color_by_visibility.
+constexpr double kLeastSeen = 1.0 / 4;
+
 /// Error of the covariance of x and y recovered from E[x], E[y], E[xy].
 double covariance_error(double x, double y, double xy, double truth)
 {
@@ -72,6 +75,20 @@ double StorageError::largest_error(MomentRow row, int count) const
     auto note_product = [&](int channel, int covariance, int x, int y, int i) {
         note(covariance_error(truth(x, i), truth(y, i), value(channel, i), truth(covariance, i)));
     };
+    // The color told from a component, to first order, where the view sees the mean over the
+    // azimuth.
+    auto note_seen = [&](int component, int i) {
+        const int first = MomentLayout::kVisiblePlanes * component;
+        const int mean = component / layout_.visible_terms * layout_.visible_terms;
+        const double seen = 1 + truth(layout_.visible + MomentLayout::kVisiblePlanes * mean, i);
+        const double per_seen = 1 / std::max(seen, kLeastSeen);
+        const double area_error = value(first, i) - truth(layout_.visible + first, i);
+        for (int c = 0; c < 3; ++c) {
+            const int at = first + 3 - c; // B G R
+            const double error = value(at, i) - truth(layout_.visible + at, i);
+            note(std::abs(error - area_error * truth(layout_.color + c, i)) * per_seen);
+        }
+    };
     for (int i = 0; i < count; ++i) {
         switch (map_) {
         case Map::slope:
@@ -108,6 +125,10 @@ double StorageError::largest_error(MomentRow row, int count) const
                                   truth(layout_.rank + 3 * n + c, i)));
             break;
         }
+        case Map::visible:
+            for (int n = 0; n < layout_.visible_components; ++n)
+                note_seen(n, i);
+            break;
         case Map::tail:
             note(std::abs(value(0, i) - tail_of(layout_, row, i).tau));
             break;
@@ -191,6 +212,7 @@ double StorageError::yardstick(const Largest& level, const Largest& next) const
         return level.color;
     case Map::colorheight:
     case Map::rank:
+    case Map::visible:
         return std::max(color_deviation_, kSeen * largest_color_);
     case Map::colorslope:
         return std::max(color_deviation_, kSeen * largest_color_) * slope_deviation_;

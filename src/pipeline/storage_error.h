@@ -21,6 +21,7 @@ namespace scree {
 ///                      of its largest color where that is more
 ///   colorslope         covariance with the slope, over that times the deviation of the slope
 ///   rank               a coefficient, over the same as for colorheight
+///   visible            the color told from a component, over the same
 ///   tail, coverage     the number itself
 /// Where a level's slope varies less than float resolves (1e-6 of its mean square) that is the
 /// yardstick. A number beyond the type's range counts as an error of kLost.

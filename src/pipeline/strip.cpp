@@ -7,8 +7,6 @@
 
 namespace scree {
 
-namespace {
-
 Edge edge_of(Wrap wrap, Reconstruction reconstruction)
 {
     switch (wrap) {
@@ -25,11 +23,10 @@ Edge edge_of(Wrap wrap, Reconstruction reconstruction)
     return Edge::zero;
 }
 
-} // namespace
-
 StripReader::StripReader(Source& source, const Survey& survey, const BakeOptions& options,
-                         bool last_time)
-    : source_(source), survey_(survey), edge_s_(edge_of(options.wrap_s, options.reconstruction)),
+                         VisibleBands* seen, bool last_time)
+    : source_(source), survey_(survey), seen_(seen),
+      edge_s_(edge_of(options.wrap_s, options.reconstruction)),
       edge_t_(edge_of(options.wrap_t, options.reconstruction))
 {
     source_.rewind(last_time);
@@ -70,6 +67,7 @@ bool StripReader::next(Strip& strip)
     std::swap(strip.rows.height, ahead_.height); // stays here: the padded rows hold it all
     strip.rows.height.clear();
     std::swap(strip.padded, ahead_padded_);
+    strip.seen = seen_ != nullptr ? seen_->with_row(strip.first_row) : nullptr;
     next_row_ += strip.count;
     read_ahead();
     if (!source_.has_heights())
@@ -162,6 +160,8 @@ void TexelMoments::fill(const Strip& strip, int y, int x0, int count, MomentRow 
         fill_mapped_colors(presence, count, out);
     else if (layout_.color >= 0)
         fill_colors(&in.color[3 * begin], count, out);
+    if (strip.seen)
+        fill_seen(*strip.seen, y, x0, count, out);
 }
 
 void TexelMoments::fill_heights(const double* heights, int count, MomentRow out) const
@@ -198,6 +198,27 @@ void TexelMoments::fill_mapped_colors(const double* heights, int count, MomentRo
                                            : mapped_->at(heights[x], 0, 0);
         for (int c = 0; c < 3; ++c)
             out.plane(layout_.color + c)[x] = color[static_cast<size_t>(c)];
+    }
+}
+
+/// The color of a texel is one, so what is seen of it is the color times the area seen.
+void TexelMoments::fill_seen(const VisibleBand& seen, int y, int x0, int count, MomentRow out) const
+{
+    const double* weight = out.plane(MomentLayout::weight);
+    for (int i = 0; i < layout_.visible_components + layout_.view_count; ++i) {
+        const float* excess = seen.row(i, y) + x0;
+        const int view = i - layout_.visible_components;
+        const int first = view < 0 ? layout_.visible + MomentLayout::kVisiblePlanes * i
+                                   : layout_.views + MomentLayout::kVisiblePlanes * view;
+        double* area = out.plane(first);
+        for (int x = 0; x < count; ++x)
+            area[x] = weight[x] > 0 ? static_cast<double>(excess[x]) : 0;
+        for (int c = 0; c < 3; ++c) {
+            const double* color = out.plane(layout_.color + c);
+            double* product = out.plane(first + 3 - c); // B G R
+            for (int x = 0; x < count; ++x)
+                product[x] = area[x] * color[x];
+        }
     }
 }
 

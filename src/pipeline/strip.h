@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "pipeline/mapped_color.h"
@@ -8,8 +9,12 @@
 #include "pipeline/survey.h"
 #include "stats/height_rows.h"
 #include "stats/moment_layout.h"
+#include "visibility/visible_bands.h"
 
 namespace scree {
+
+/// What lies beyond the edge of a map with this wrap.
+Edge edge_of(Wrap wrap, Reconstruction reconstruction);
 
 /// A strip of rows with what its texels need from beside it.
 struct Strip {
@@ -18,13 +23,16 @@ struct Strip {
     /// Rows first_row - 1 to first_row + count, each width + 2 heights in world units, the texels
     /// beyond the map filled in by its wrap; empty for a normal map.
     std::vector<std::vector<double>> padded;
+    std::shared_ptr<const VisibleBand> seen; ///< band with these rows; null where none is asked for
 };
 
 /// Cuts a source into strips, in order, reading one strip ahead.
 class StripReader {
 public:
+    /// seen       gives every strip what views see of it; may be null
     /// last_time  nothing will read the source after this
-    StripReader(Source& source, const Survey& survey, const BakeOptions& options, bool last_time);
+    StripReader(Source& source, const Survey& survey, const BakeOptions& options,
+                VisibleBands* seen, bool last_time);
 
     /// False at the end of the map. `strip` may hold another, whose memory is used again.
     bool next(Strip& strip);
@@ -35,6 +43,7 @@ private:
 
     Source& source_;
     const Survey& survey_;
+    VisibleBands* seen_;
     Edge edge_s_, edge_t_;
     int next_row_ = 0;
     SurfaceRows ahead_; ///< the strip at next_row_
@@ -56,6 +65,7 @@ private:
     void fill_heights(const double* heights, int count, MomentRow out) const;
     void fill_colors(const float* rgb, int count, MomentRow out) const;
     void fill_mapped_colors(const double* heights, int count, MomentRow out) const;
+    void fill_seen(const VisibleBand& seen, int y, int x0, int count, MomentRow out) const;
 
     MomentLayout layout_;
     const Survey& survey_;

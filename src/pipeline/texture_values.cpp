@@ -68,6 +68,10 @@ void texture_values(Map map, const MomentLayout& layout, MomentRow row, int coun
                 store_values(row.plane(layout.rank + 3 * n + c), count,
                              stored[(2 - c) * layout.rank_terms + n]);
         break;
+    case Map::visible: // A B G R of every component
+        for (int i = 0; i < MomentLayout::kVisiblePlanes * layout.visible_components; ++i)
+            store_values(row.plane(layout.visible + i), count, stored[i]);
+        break;
     case Map::tail:
         for (int i = 0; i < count; ++i)
             scratch[i] = tail_of(layout, row, i).tau;
@@ -94,7 +98,7 @@ template void texture_values<StoreFloat>(Map, const MomentLayout&, MomentRow, in
 template void texture_values<StoreHalf>(Map, const MomentLayout&, MomentRow, int, const ValueScale&,
                                         StoreHalf::Bits* const*);
 
-void require_moments(Map map, int rank_terms, MomentSet& set)
+void require_moments(Map map, const TableSizes& tables, MomentSet& set)
 {
     switch (map) {
     case Map::slope:
@@ -114,7 +118,12 @@ void require_moments(Map map, int rank_terms, MomentSet& set)
         break;
     case Map::rank: // with the variance of color, which its fit is held against
         set.color = set.height = set.color_height = true;
-        set.rank_terms = rank_terms;
+        set.rank_terms = tables.rank_terms;
+        break;
+    case Map::visible:
+        set.color = true;
+        set.visible_nodes = static_cast<int>(tables.visibility.node_angles_deg.size());
+        set.visible_terms = tables.visibility.terms();
         break;
     case Map::tail:
         set.slope = set.tail = true;

@@ -4,6 +4,7 @@
 #include "stats/moment_layout.h"
 #include "stats/ranks.h"
 #include "texset/channels.h"
+#include "visibility/view_components.h"
 
 namespace scree {
 
@@ -11,6 +12,12 @@ namespace scree {
 struct ValueScale {
     double h0 = 0, h1 = 1;  ///< back from normalised to world height, for the bumpslopes layout
     bool has_height = true; ///< without, the bumpslopes height is -1, as maketx writes it
+};
+
+/// Sizes of the tables that come in several.
+struct TableSizes {
+    int rank_terms = kDefaultRankTerms; ///< 1 to kMaxRankTerms
+    VisibilityPlan visibility;
 };
 
 /// The channels of a map for a run of texels, as the file stores them.
@@ -23,11 +30,13 @@ void texture_values(Map map, const MomentLayout& layout, MomentRow row, int coun
                     const ValueScale& scale, typename Store::Bits* const* stored);
 
 /// The most channels a map has.
-constexpr int kMostChannels = 3 * kMaxRankTerms;
+constexpr int kMostChannels = kMostVisibleChannels;
+static_assert(kMostVisibleChannels ==
+              MomentLayout::kVisiblePlanes * kMaxNodes * (1 + 2 * kMaxHarmonics));
 
 /// Which moments a map needs.
 ///
-/// rank_terms  of a rank table, 1 to kMaxRankTerms
-void require_moments(Map map, int rank_terms, MomentSet& set);
+/// tables  sizes of those of rank and of visibility
+void require_moments(Map map, const TableSizes& tables, MomentSet& set);
 
 } // namespace scree

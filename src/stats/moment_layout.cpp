@@ -67,6 +67,17 @@ MomentLayout::MomentLayout(const MomentSet& set)
         rank = planes;
         planes += 3 * rank_terms;
     }
+    if (set.visible_nodes > 0 && set.color) {
+        visible_terms = set.visible_terms;
+        visible_components = set.visible_nodes * visible_terms;
+        visible = planes;
+        planes += kVisiblePlanes * visible_components;
+    }
+    if (set.views > 0 && set.color) {
+        view_count = set.views;
+        views = planes;
+        planes += kVisiblePlanes * view_count;
+    }
 }
 
 } // namespace scree

@@ -14,6 +14,9 @@ struct MomentSet {
     bool color_height = false; ///< variance of color, its covariance with height (needs both)
     bool color_slope = false;  ///< variance of color, its covariance with the slope (needs both)
     int rank_terms = 0;        ///< coefficients of the color by height rank (needs color, height)
+    int visible_nodes = 0;     ///< of a table of visibility (needs color)
+    int visible_terms = 1;     ///< of its series in the azimuth, the mean first
+    int views = 0;             ///< single views (needs color)
 };
 
 /// Where each statistic of a footprint lies among the planes of a row.
@@ -32,7 +35,7 @@ struct MomentLayout {
     explicit MomentLayout(const MomentSet& set);
 
     int planes = 1;
-    int merged_planes = 1; ///< the first ones, which merge() makes; ranks are merged elsewhere
+    int merged_planes = 1; ///< the first ones, which merge() makes; the rest is merged elsewhere
     static constexpr int kMaxMergedPlanes = 32;
     static constexpr int weight = 0; ///< coverage in [0, 1]; 0 is no data
 
@@ -50,6 +53,14 @@ struct MomentLayout {
 
     int rank = -1;      ///< a_1 of R G B, a_2 of R G B, ... (stats/ranks.h), consecutive
     int rank_terms = 0; ///< how many of them
+
+    /// Of each component of a table of visibility E[v], E[B v], E[G v], E[R v] with v what it sees
+    /// more than the mean (visibility/view_components.h), consecutive; of single views likewise.
+    int visible = -1, views = -1;
+    int visible_components = 0; ///< nodes times terms, node by node
+    int visible_terms = 1;
+    int view_count = 0;
+    static constexpr int kVisiblePlanes = 4; ///< of a component, of a view
 
     std::vector<int> means;              ///< planes of the means
     std::vector<Covariance> covariances; ///< all second central moments

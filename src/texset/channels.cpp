@@ -28,6 +28,9 @@ const std::vector<MapInfo>& map_table()
          "E[c s] and E[c t], color times slope, per color channel"},
         {Map::rank, "rank", rank_channels(kDefaultRankTerms),
          "color by height rank q in the footprint: a_n = (2n+1) E[c P_n(2q-1)], per color channel"},
+        {Map::visible, "visible", visible_channels(kDefaultNodes, 0),
+         "what views see, over cos theta, more than the mean: A = E[V W] / cos theta - 1, and per "
+         "color channel E[c V W] / cos theta - E[c]; at each node, by harmonics of the azimuth"},
         {Map::map,
          "map",
          {"R", "G", "B"},
@@ -48,6 +51,20 @@ std::vector<std::string> rank_channels(int terms)
     for (const char* color : {"B", "G", "R"})
         for (int n = 1; n <= terms; ++n)
             names.push_back(color + std::to_string(n));
+    return names;
+}
+
+std::vector<std::string> visible_channels(int nodes, int harmonics)
+{
+    std::vector<std::string> terms = {""};
+    for (const char* wave : {"c", "s"})
+        for (int h = 1; h <= harmonics; ++h)
+            terms.push_back(wave + std::to_string(h));
+    std::vector<std::string> names;
+    for (int node = 1; node <= nodes; ++node)
+        for (const std::string& term : terms)
+            for (const char* channel : {"A", "B", "G", "R"})
+                names.push_back(std::to_string(node) + term + channel);
     return names;
 }
 

@@ -13,6 +13,7 @@ enum class Map {
     colorheight,
     colorslope,
     rank,
+    visible,
     map,
     tail,
     coverage,
@@ -24,7 +25,7 @@ struct MapInfo {
     Map map;
     std::string name;                  ///< file is NAME.<name>.exr
     std::vector<std::string> channels; ///< in the order an OpenImageIO reader sees them; of the
-                                       ///< rank table with the default number of terms
+                                       ///< tables of rank and visibility with the default sizes
     std::string meaning;               ///< one line, written into the file and the manifest
 };
 
@@ -42,6 +43,17 @@ const MapInfo& map_info(Map map);
 std::vector<std::string> rank_channels(int terms);
 
 constexpr int kDefaultRankTerms = 4;
+
+constexpr int kDefaultNodes = 4;
+constexpr int kMostVisibleChannels = 4 * 6 * (1 + 2 * 2);
+
+/// Channels of a table of visibility, node by node, as they sort: 1A 1B 1G 1R of the mean over the
+/// azimuth, then, as far as there are harmonics, 1c1A ... of cos phi, 1c2A ... of cos 2 phi,
+/// 1s1A ... of sin phi, 1s2A ... of sin 2 phi; then 2A ...
+///
+/// nodes      1 to 6
+/// harmonics  0 to 2
+std::vector<std::string> visible_channels(int nodes, int harmonics);
 
 /// The texture of that name.
 /// Throws Error naming the known ones when there is none. `bumpslopes` and `coverage` are not

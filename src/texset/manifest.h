@@ -104,6 +104,13 @@ struct ModelChoice {
     std::vector<ModelRecord> models;
 };
 
+/// How a table of visibility is laid out, NAME.visible.exr (visibility/view_components.h).
+struct VisibilityRecord {
+    std::vector<double> node_angles_deg; ///< from the normal, rising
+    int harmonics = 0;                   ///< of the azimuth, 0 to 2
+    int azimuths = 0;                    ///< that were swept
+};
+
 /// What was baked, from what, with which options: NAME.scree.json.
 struct Manifest {
     static constexpr int kFormatVersion = 2;
@@ -128,6 +135,7 @@ struct Manifest {
     std::string compression;
     std::optional<ColorMapRecord> color_map;
     std::optional<ModelChoice> model_choice; ///< of --maps auto
+    std::optional<VisibilityRecord> visibility;
     std::vector<TextureRecord> textures;
     std::vector<LevelSummary> levels;
     std::map<std::string, std::string> options; ///< as given, by long name

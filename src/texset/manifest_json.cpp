@@ -158,6 +158,18 @@ ModelChoice choice_from_json(const Json& json)
     return choice;
 }
 
+Json visibility_to_json(const VisibilityRecord& visibility)
+{
+    return {{"node_angles_deg", visibility.node_angles_deg},
+            {"harmonics", visibility.harmonics},
+            {"azimuths", visibility.azimuths}};
+}
+
+VisibilityRecord visibility_from_json(const Json& json)
+{
+    return {json.at("node_angles_deg"), json.at("harmonics"), json.at("azimuths")};
+}
+
 Json fit_to_json(const ColorFit& fit)
 {
     Json json = {{"sigma", fit.sigma}};
@@ -254,6 +266,8 @@ Json manifest_to_json(const Manifest& m)
         json["color_map"] = color_map_to_json(*m.color_map);
     if (m.model_choice)
         json["model_choice"] = choice_to_json(*m.model_choice);
+    if (m.visibility)
+        json["visibility"] = visibility_to_json(*m.visibility);
     json["inputs"] = Json::array();
     for (const auto& input : m.inputs)
         json["inputs"].push_back(input_to_json(input));
@@ -307,6 +321,8 @@ Manifest manifest_from_json(const Json& json)
         m.color_map = color_map_from_json(json.at("color_map"));
     if (json.contains("model_choice"))
         m.model_choice = choice_from_json(json.at("model_choice"));
+    if (json.contains("visibility"))
+        m.visibility = visibility_from_json(json.at("visibility"));
     for (const auto& input : json.at("inputs"))
         m.inputs.push_back(input_from_json(input));
     for (const auto& texture : json.at("textures"))

@@ -1,6 +1,7 @@
 #include "texset/spool.h"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -32,6 +33,8 @@ Spool::Spool(const std::filesystem::path& folder) : file_(open_unnamed(folder)),
 
 Spool::~Spool()
 {
+    if (mapped_ != nullptr)
+        munmap(mapped_, mapped_bytes_);
     if (file_ >= 0)
         close(file_);
 }
@@ -65,7 +68,23 @@ bool Spool::append(const float* numbers, size_t count)
 void Spool::finish()
 {
     whole_ = good_;
+    written_bytes_ = static_cast<size_t>(position_);
     position_ = 0;
+}
+
+const float* Spool::all()
+{
+    if (mapped_ == nullptr && whole_ && written_bytes_ > 0) {
+        void* mapped = mmap(nullptr, written_bytes_, PROT_READ, MAP_SHARED, file_, 0);
+        if (mapped != MAP_FAILED) {
+            mapped_ = mapped;
+            mapped_bytes_ = written_bytes_;
+        }
+    }
+    if (mapped_ == nullptr)
+        throw Error("a temporary file beside the output cannot be read back; is there room for the "
+                    "heights as floats?");
+    return static_cast<const float*>(mapped_);
 }
 
 void Spool::rewind(bool last_time)

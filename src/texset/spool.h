@@ -5,7 +5,7 @@
 
 namespace scree {
 
-/// Numbers kept in a file without a name, to be read again in the same order.
+/// Numbers kept in a file without a name, to be read again.
 ///
 /// It lets a baker that goes over its input several times decode it once. The file vanishes with
 /// the object, or with the process. A spool that cannot be written (no room, no permission) says so
@@ -35,8 +35,14 @@ public:
     /// The next `count` numbers. Throws Error when the disk fails.
     void read(float* numbers, size_t count);
 
+    /// All numbers of a whole spool, to be read in any order, by any thread, as long as the object
+    /// lives; what is not in memory comes from the file. Throws Error where that cannot be.
+    [[nodiscard]] const float* all();
+
 private:
     int file_ = -1;
+    void* mapped_ = nullptr;
+    size_t mapped_bytes_ = 0, written_bytes_ = 0;
     bool good_ = false, whole_ = false, last_time_ = false;
     long long position_ = 0; ///< bytes
 };

@@ -76,7 +76,7 @@ public:
                                   case_.input.relief.texel_width, case_.input.relief.texel_height);
         Recorder recorder(layout, source.width(), source.height());
         MomentPyramid pyramid(layout, source.width(), source.height(), {&recorder});
-        StripReader strips(source, found, case_.options, true);
+        StripReader strips(source, found, case_.options, nullptr, true);
         Strip strip;
         while (strips.next(strip))
             pyramid.push(strip.count, [&](int y, int x0, int count, MomentRow row) {
