@@ -209,10 +209,10 @@ double StorageError::yardstick(const Largest& level, const Largest& next) const
         return std::max(variance, kResolved * (level.square + level.variance));
     }
     case Map::color:
+    case Map::visible: // read as a color
         return level.color;
     case Map::colorheight:
     case Map::rank:
-    case Map::visible:
         return std::max(color_deviation_, kSeen * largest_color_);
     case Map::colorslope:
         return std::max(color_deviation_, kSeen * largest_color_) * slope_deviation_;

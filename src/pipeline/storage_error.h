@@ -16,12 +16,12 @@ namespace scree {
 ///                      normal maps, has no variance of its own at level 0); of bumpslopes
 ///                      also the world height, over its deviation over the map
 ///   height             variance of hn, over 1 (the variance of the whole map, by normalisation)
-///   color              mean color, over the largest of the map
+///   color              mean color, over the largest of the level
+///   visible            the color told from a component, likewise
 ///   colorheight        covariance with hn, over the map's standard deviation of color, or a tenth
 ///                      of its largest color where that is more
 ///   colorslope         covariance with the slope, over that times the deviation of the slope
 ///   rank               a coefficient, over the same as for colorheight
-///   visible            the color told from a component, over the same
 ///   tail, coverage     the number itself
 /// Where a level's slope varies less than float resolves (1e-6 of its mean square) that is the
 /// yardstick. A number beyond the type's range counts as an error of kLost.

@@ -72,6 +72,19 @@ struct ColorFit {
     double residual = 0; ///< rms deviation that the best of them leaves, scene-linear
 };
 
+/// The exponent that shows color by height as it was measured to be seen, in place of Smith's
+/// Lambda: gain max(Lambda - threshold, 0)^power, Lambda of the raw second moments of the slope
+/// (pipeline/exponent_fit.h).
+struct ExponentFit {
+    double gain = 1, power = 1, threshold = 0;
+};
+
+/// What a way to tell the visible color leaves of a level (pipeline/model_errors.h).
+struct LevelError {
+    std::string model;
+    double error = 0; ///< rms, of the worst elevation
+};
+
 /// What one MIP level holds; means are weighted with coverage. Absent: not baked.
 struct LevelSummary {
     int width = 0, height = 0;
@@ -85,6 +98,8 @@ struct LevelSummary {
     std::optional<double> height_sigma; ///< sqrt of the mean height variance within texels, world
     std::optional<std::array<double, 3>> mean_color;
     std::optional<ColorFit> color_fit;
+    std::optional<ExponentFit> exponent;  ///< of the linear model by height
+    std::vector<LevelError> model_errors; ///< empty where they were not measured
 };
 
 /// A way to show what a map holds, or to do without it, and what that costs

@@ -212,6 +212,12 @@ Json level_to_json(const LevelSummary& level)
     put(json, "mean_color", level.mean_color);
     if (level.color_fit)
         json["color_fit"] = fit_to_json(*level.color_fit);
+    if (level.exponent)
+        json["exponent"] = {{"gain", level.exponent->gain},
+                            {"power", level.exponent->power},
+                            {"threshold", level.exponent->threshold}};
+    for (const LevelError& error : level.model_errors)
+        json["model_errors"][error.model] = error.error;
     return json;
 }
 
@@ -231,6 +237,13 @@ LevelSummary level_from_json(const Json& json)
     get(json, "mean_color", level.mean_color);
     if (json.contains("color_fit"))
         level.color_fit = fit_from_json(json.at("color_fit"));
+    if (json.contains("exponent")) {
+        const Json& exponent = json.at("exponent");
+        level.exponent = {exponent.at("gain"), exponent.at("power"), exponent.at("threshold")};
+    }
+    if (json.contains("model_errors"))
+        for (const auto& [model, error] : json.at("model_errors").items())
+            level.model_errors.push_back({model, error});
     return level;
 }
 
