@@ -81,12 +81,7 @@ void run(CLI::App& command, BakeWords& words)
     Manifest manifest;
     {
         Progress progress(words.quiet);
-        BakeMonitor monitor;
-        monitor.progress = [&progress](const char* phase, double done) {
-            progress.show(phase, done);
-        };
-        monitor.cancel = &stop_asked();
-        manifest = bake(words.options, monitor);
+        manifest = bake(words.options, monitor_of(progress));
     }
     if (words.quiet)
         return;

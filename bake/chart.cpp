@@ -102,12 +102,7 @@ std::vector<AssetChart> charts_of(const ChartWords& words)
     std::vector<AssetChart> charts;
     for (const AssetWish& wish : wishes_of(words)) {
         Progress progress(words.quiet);
-        BakeMonitor monitor;
-        monitor.progress = [&progress](const char* phase, double done) {
-            progress.show(phase, done);
-        };
-        monitor.cancel = &stop_asked();
-        charts.push_back(chart_of(wish, words, monitor));
+        charts.push_back(chart_of(wish, words, monitor_of(progress)));
         if (!words.quiet)
             fmt::print("{}\n", to_text(chart_table(charts.back())));
     }

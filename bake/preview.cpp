@@ -11,12 +11,9 @@
 #include <numeric>
 #include <optional>
 
-#include "bake/bake_words.h"
 #include "bake/commands.h"
-#include "bake/supervisor.h"
+#include "bake/set_inputs.h"
 #include "bake/terminal.h"
-#include "judge/inputs.h"
-#include "judge/original.h"
 #include "pipeline/thread_limit.h"
 #include "report/table.h"
 
@@ -27,9 +24,8 @@ namespace {
 constexpr double kRadPerDegree = 3.14159265358979323846 / 180;
 
 struct PreviewWords {
-    std::filesystem::path set, picture, strip;
-    std::vector<std::filesystem::path> inputs;
-    std::string ocio_config;
+    SetWords set;
+    std::filesystem::path picture, strip;
     std::vector<std::string> parts = {"plain", "set", "reference"};
     std::vector<int> size = {960, 360};
     std::vector<double> light = {60, 200};
@@ -43,21 +39,12 @@ struct PreviewWords {
 
 void add_options(CLI::App& command, PreviewWords& words)
 {
-    command.add_option("set", words.set, "folder or manifest of a texture set")->required();
-
     auto* files = command.add_option_group("Files");
     files->add_option("-o,--output", words.picture,
                       "picture of a plane that recedes to the horizon; .png, .jpg, .exr");
     files->add_option("--strip", words.strip,
                       "picture of a strip: a tile for each view angle, a row for each part");
-    files
-        ->add_option("--inputs", words.inputs,
-                     "folders with the files the set was baked from [beside the set, the current "
-                     "folder]")
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    files->add_option("--ocio-config", words.ocio_config,
-                      "OpenColorIO config of the bake, where it named one");
+    add_set_options(command, *files, words.set);
 
     auto* picture = command.add_option_group("Picture");
     picture
@@ -175,19 +162,12 @@ bool needs_surface(const PreviewScene& scene)
 /// What the set was baked from, going on over its edges.
 reference::DisplacedSurface read_surface(const PreviewWords& words, const Manifest& manifest)
 {
-    const InputFiles files = find_inputs(manifest, words.set, words.inputs);
-    BakeOptions options = options_of_manifest(manifest, files);
-    options.ocio_config = words.ocio_config;
-    note_for_supervisor({files.height.string(), files.color.string(), files.colormap.string()}, "");
     Progress progress(words.quiet);
-    BakeMonitor monitor;
-    monitor.progress = [&progress](const char* phase, double done) { progress.show(phase, done); };
-    monitor.cancel = &stop_asked();
-    Original original = read_original(options, monitor);
+    Original original = read_set_inputs(manifest, words.set, monitor_of(progress)).original;
     if (original.relief.heights.empty())
         throw Error(fmt::format("{}: was baked from a normal map, which has no surface to trace; "
                                 "leave the reference out with --parts plain,set",
-                                words.set.string()));
+                                words.set.path.string()));
     original.relief.beyond_s = original.relief.beyond_t = reference::Beyond::repeats;
     return reference::DisplacedSurface(std::move(original.relief));
 }
@@ -246,7 +226,7 @@ void run(PreviewWords& words)
     const ThreadLimit limit(words.threads);
     TextureFilter filter;
     filter.is_tiled = true;
-    const SetLookup set(words.set, filter);
+    const SetLookup set(words.set.path, filter);
     const Manifest& manifest = set.manifest();
     std::optional<reference::DisplacedSurface> surface;
     if (needs_surface(words.scene))
@@ -255,11 +235,8 @@ void run(PreviewWords& words)
         fmt::print("note: {} was baked with wrap {} {}; it is shown repeated, with its seams\n",
                    manifest.name, manifest.wrap_s, manifest.wrap_t);
     Progress progress(words.quiet);
-    words.scene.progress = [&progress](double done) {
-        if (stop_asked())
-            throw Cancelled();
-        progress.show("draw", done);
-    };
+    const BakeMonitor monitor = monitor_of(progress);
+    words.scene.progress = [&monitor](double done) { monitor.report("draw", done); };
     draw(words, set, surface ? &*surface : nullptr);
 }
 

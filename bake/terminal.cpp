@@ -60,4 +60,9 @@ void Progress::show(const char* phase, double done)
     std::fflush(stderr);
 }
 
+BakeMonitor monitor_of(Progress& progress)
+{
+    return {[&progress](const char* phase, double done) { progress.show(phase, done); }, &stop};
+}
+
 } // namespace scree::tool

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "math/error.h"
+#include "pipeline/options.h"
 
 namespace scree::tool {
 
@@ -39,5 +40,8 @@ private:
     int shown_ = -1;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
+
+/// For long work: shows how far it is, and stops it once a signal came.
+BakeMonitor monitor_of(Progress& progress);
 
 } // namespace scree::tool

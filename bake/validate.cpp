@@ -8,13 +8,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "bake/bake_words.h"
 #include "bake/commands.h"
 #include "bake/recipe.h"
-#include "bake/supervisor.h"
+#include "bake/set_inputs.h"
 #include "bake/terminal.h"
 #include "bake/text_file.h"
-#include "judge/inputs.h"
 #include "judge/statistics_report.h"
 #include "judge/validation_json.h"
 #include "judge/validation_page.h"
@@ -26,9 +24,8 @@ namespace scree::tool {
 namespace {
 
 struct ValidateWords {
-    std::filesystem::path set, recipe, report, json;
-    std::vector<std::filesystem::path> inputs;
-    std::string ocio_config;
+    SetWords set;
+    std::filesystem::path recipe, report, json;
     ValidationPlan plan;
     std::vector<double> light = {};
     bool statistics_only = false;
@@ -42,19 +39,11 @@ void add_options(CLI::App& command, ValidateWords& words)
 {
     ViewPlan& view = words.plan.view;
     Tolerances& tolerances = words.plan.tolerances;
-    command.add_option("set", words.set, "folder or manifest of a texture set")->required();
     command.add_option("--recipe", words.recipe,
                        "TOML file whose table [validate] holds any of the options below");
 
     auto* files = command.add_option_group("Files");
-    files
-        ->add_option("--inputs", words.inputs,
-                     "folders with the files the set was baked from [beside the set, the current "
-                     "folder]")
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    files->add_option("--ocio-config", words.ocio_config,
-                      "OpenColorIO config of the bake, where it named one");
+    add_set_options(command, *files, words.set);
     files->add_option("--report", words.report,
                       "writes an HTML page with tables, charts, pictures");
     files->add_option("--json", words.json, "writes all figures as JSON; - for the terminal");
@@ -156,21 +145,13 @@ void print(const Validation& validation, const Manifest& manifest)
 
 Validation validated(const ValidateWords& words, SetReader& set)
 {
-    const Manifest& manifest = set.manifest();
-    const InputFiles files = find_inputs(manifest, words.set, words.inputs);
-    BakeOptions options = options_of_manifest(manifest, files);
-    options.ocio_config = words.ocio_config;
-    note_for_supervisor({files.height.string(), files.color.string(), files.colormap.string()}, "");
-
     Progress progress(words.quiet);
-    BakeMonitor monitor;
-    monitor.progress = [&progress](const char* phase, double done) { progress.show(phase, done); };
-    monitor.cancel = &stop_asked();
-    Original original = read_original(options, monitor);
+    const BakeMonitor monitor = monitor_of(progress);
+    SetInputs inputs = read_set_inputs(set.manifest(), words.set, monitor);
     ValidationPlan plan = words.plan;
     plan.views = !words.statistics_only;
     plan.images = !words.report.empty();
-    return validate(set, std::move(original), options, plan, monitor);
+    return validate(set, std::move(inputs.original), inputs.options, plan, monitor);
 }
 
 /// The first few, for an error's one line; the page and the JSON have all.
@@ -193,7 +174,7 @@ void run(CLI::App& command, ValidateWords& words)
     if (!words.light.empty())
         words.plan.view.lights_deg = {{words.light[0], words.light[1]}};
     const ThreadLimit limit(words.threads);
-    SetReader set(words.set);
+    SetReader set(words.set.path);
     const Validation validation = validated(words, set);
     if (!words.report.empty())
         write_text(to_page(validation, words.plan, set.manifest()), words.report);
@@ -205,7 +186,7 @@ void run(CLI::App& command, ValidateWords& words)
     if (!words.quiet && words.json != "-")
         print(validation, set.manifest());
     if (!validation.exceeded.empty())
-        throw Error(fmt::format("{}: out of tolerance: {}", words.set.string(),
+        throw Error(fmt::format("{}: out of tolerance: {}", words.set.path.string(),
                                 some_of(validation.exceeded)));
 }
 

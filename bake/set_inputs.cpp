@@ -1,0 +1,35 @@
+#include "bake/set_inputs.h"
+
+#include <CLI/CLI.hpp>
+
+#include "bake/bake_words.h"
+#include "bake/supervisor.h"
+#include "judge/inputs.h"
+
+namespace scree::tool {
+
+void add_set_options(CLI::App& command, CLI::App& files, SetWords& words)
+{
+    command.add_option("set", words.path, "folder or manifest of a texture set")->required();
+    files
+        .add_option("--inputs", words.inputs,
+                    "folders with the files the set was baked from [beside the set, the current "
+                    "folder]")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    files.add_option("--ocio-config", words.ocio_config,
+                     "OpenColorIO config of the bake, where it named one");
+}
+
+SetInputs read_set_inputs(const Manifest& manifest, const SetWords& words,
+                          const BakeMonitor& monitor)
+{
+    const InputFiles files = find_inputs(manifest, words.path, words.inputs);
+    BakeOptions options = options_of_manifest(manifest, files);
+    options.ocio_config = words.ocio_config;
+    note_for_supervisor({files.height.string(), files.color.string(), files.colormap.string()}, "");
+    Original original = read_original(options, monitor);
+    return {std::move(options), std::move(original)};
+}
+
+} // namespace scree::tool

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "judge/original.h"
+#include "pipeline/options.h"
+#include "texset/manifest.h"
+
+namespace CLI {
+class App;
+}
+
+namespace scree::tool {
+
+/// What the command line says of a set and of the files it was baked from.
+struct SetWords {
+    std::filesystem::path path;                ///< folder or manifest
+    std::vector<std::filesystem::path> inputs; ///< folders to look for the files in
+    std::string ocio_config;                   ///< empty: none was named
+};
+
+/// Gives a command the argument `set`, and its group of files --inputs and --ocio-config.
+void add_set_options(CLI::App& command, CLI::App& files, SetWords& words);
+
+/// What a set was baked from, and how.
+struct SetInputs {
+    BakeOptions options;
+    Original original;
+};
+
+/// Finds the files a set was baked from and reads them as its bake did. The supervisor is told of
+/// them.
+///
+/// Throws Error where a file is missing, has changed or cannot be read, and where the manifest's
+/// options are none that this version knows; Cancelled when asked to stop.
+SetInputs read_set_inputs(const Manifest& manifest, const SetWords& words,
+                          const BakeMonitor& monitor);
+
+} // namespace scree::tool
