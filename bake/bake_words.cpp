@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "bake/checks.h"
 #include "bake/recipe.h"
 #include "bake/terminal.h"
 #include "math/error.h"
@@ -140,7 +141,8 @@ void add_bake_options(CLI::App& command, BakeWords& words)
         ->capture_default_str();
 
     auto* running = command.add_option_group("Running");
-    running->add_option("--threads", o.threads, "number of threads [all]");
+    running->add_option("--threads", o.threads, "number of threads [all]")
+        ->check(whole_number_from(0));
     running->add_flag("--quiet", words.quiet, "no progress, no summary, no warnings");
 }
 
@@ -204,8 +206,6 @@ void interpret(CLI::App& command, BakeWords& words)
     if (o.height_file.empty())
         throw UsageError("no height map; give --height FILE, or a recipe that names one "
                          "(see scree bake --help)");
-    if (o.threads < 0)
-        throw UsageError("--threads must be 0 (all) or more");
 }
 
 BakeOptions options_of_recipe(const std::filesystem::path& recipe)

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "bake/bake_words.h"
+#include "bake/checks.h"
 #include "bake/commands.h"
 #include "bake/made_folder.h"
 #include "bake/supervisor.h"
@@ -148,31 +149,32 @@ void add_chart(CLI::App& app)
     command
         ->add_option("--height-scale", words->files.height_scale,
                      "its world units a unit of the file")
+        ->check(finite_number())
         ->capture_default_str();
     command->add_option("--height-channel", words->files.height_channel,
                         "its channel with the heights");
     command->add_option("--color", words->files.color_file, "its color texture");
     command->add_option("--size", words->size, "of the samples, texels a side")
-        ->check(CLI::Range(4, 1 << 14))
+        ->check(whole_number_from_to(4, 1 << 14))
         ->capture_default_str();
     command->add_option("--footprints", o.footprints, "a level, at most")
-        ->check(CLI::PositiveNumber)
+        ->check(whole_number_from(1))
         ->capture_default_str();
     command
         ->add_option("--samples", o.grid, "of the truth: a grid of so many a side, per footprint")
-        ->check(CLI::Range(2, 1024))
+        ->check(whole_number_from_to(2, 1024))
         ->capture_default_str();
     command->add_option("--seed", o.seed, "of the choice of footprints and samples")
         ->capture_default_str();
     command->add_option("--base-alpha", o.material.base_alpha, "Beckmann roughness of the facets")
-        ->check(CLI::Range(0.001, 1.0))
+        ->check(number_from_to(0.001, 1))
         ->capture_default_str();
     command->add_option("--f0", o.material.f0, "reflectance of the facets")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(number_from_to(0, 1))
         ->capture_default_str();
     command->add_flag("--svg", words->svg, "each chart in a file of its own, too");
     command->add_option("--threads", o.threads, "number of threads, but for timing [all]")
-        ->check(CLI::NonNegativeNumber);
+        ->check(whole_number_from(0));
     command->add_flag("--quiet", words->quiet, "no progress, no tables");
     command->callback([words] { run(*words); });
 }

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <optional>
 
+#include "bake/checks.h"
 #include "bake/commands.h"
 #include "bake/set_inputs.h"
 #include "bake/terminal.h"
@@ -55,86 +55,72 @@ void add_options(CLI::App& command, PreviewWords& words)
         ->capture_default_str();
     picture->add_option("--size", words.size, "of the plane's picture, pixels")
         ->expected(2)
-        ->check(CLI::Range(8, 16384))
+        ->check(whole_number_from_to(8, 16384))
         ->capture_default_str();
     picture
         ->add_option("--view-angle", words.plane.angle_deg,
                      "in the middle, degrees from the normal")
-        ->check(CLI::Range(0.0, 89.0))
+        ->check(number_from_to(0, 89))
         ->capture_default_str();
     picture
         ->add_option("--view-azimuth", words.plane.azimuth_deg,
                      "to the viewer, degrees from +s (right) towards +t (down)")
+        ->check(finite_number())
         ->capture_default_str();
     picture->add_option("--field-of-view", words.plane.field_of_view_deg, "of the height, degrees")
-        ->check(CLI::Range(0.1, 120.0))
+        ->check(number_from_to(0.1, 120))
         ->capture_default_str();
     picture->add_option("--repeats", words.plane.repeats, "of the set, across the middle")
-        ->check(CLI::Range(0.01, 10000.0))
+        ->check(number_from_to(0.01, 10000))
         ->capture_default_str();
     picture
         ->add_option("--strip-angles", words.strip_shot.angles_deg,
                      "of the strip's views, degrees from the normal")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(CLI::Range(0.0, 89.0))
+        ->check(number_from_to(0, 89))
         ->capture_default_str();
     picture->add_option("--tile", words.strip_shot.tile, "side of a tile of the strip, pixels")
-        ->check(CLI::Range(8, 2048))
+        ->check(whole_number_from_to(8, 2048))
         ->capture_default_str();
     picture->add_option("--texels-per-pixel", words.strip_shot.texels_per_pixel, "across a tile")
-        ->check(CLI::Range(0.01, 10000.0))
+        ->check(number_from_to(0.01, 10000))
         ->capture_default_str();
 
     auto* look = command.add_option_group("Look");
     look->add_option("--light", words.light,
                      "degrees from the normal, and from +s (right) towards +t (down)")
         ->expected(2)
+        ->check(number_from_to(0, 89).application_index(0))
+        ->check(finite_number().application_index(1))
         ->option_text("ANGLE AZIMUTH [60 200]");
     look->add_option("--base-alpha", words.scene.material.base_alpha,
                      "Beckmann roughness of a facet")
-        ->check(CLI::Range(0.001, 1.0))
+        ->check(number_from_to(0.001, 1))
         ->capture_default_str();
     look->add_option("--f0", words.scene.material.f0, "share of the light that a facet mirrors")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(number_from_to(0, 1))
         ->capture_default_str();
     look->add_option("--exposure", words.scene.exposure,
                      "times radiance over irradiance [fits the picture]")
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
 
     auto* running = command.add_option_group("Running");
     running
         ->add_option("--samples", words.samples,
                      "rays a pixel of the reference, rounded up to a square")
-        ->check(CLI::Range(1, 1 << 20))
+        ->check(whole_number_from_to(1, 1 << 20))
         ->capture_default_str();
     running->add_option("--seed", words.scene.seed, "of the samples")->capture_default_str();
     running->add_option("--threads", words.threads, "number of threads [all]")
-        ->check(CLI::NonNegativeNumber);
+        ->check(whole_number_from(0));
     running->add_flag("--quiet", words.quiet, "no progress, no figures");
-}
-
-/// What the options' own checks let pass: a NaN is outside no range, and a range of --light would
-/// hold for its azimuth too.
-void expect_sensible(const PreviewWords& words)
-{
-    if (words.picture.empty() && words.strip.empty())
-        throw UsageError("no picture is asked for; name one with -o or --strip");
-    if (!(words.light[0] >= 0 && words.light[0] <= 89 && std::isfinite(words.light[1])))
-        throw UsageError("--light: expected 0 to 89 degrees from the normal, and an azimuth");
-    const StripShot& strip = words.strip_shot;
-    const PlaneShot& plane = words.plane;
-    const Material& material = words.scene.material;
-    double sum = plane.angle_deg + plane.azimuth_deg + plane.field_of_view_deg + plane.repeats;
-    sum += std::accumulate(strip.angles_deg.begin(), strip.angles_deg.end(), 0.0);
-    sum += strip.texels_per_pixel + words.scene.exposure;
-    if (!std::isfinite(sum + static_cast<double>(material.base_alpha + material.f0)))
-        throw UsageError("an option is no number; expected angles, sizes and shares");
 }
 
 void interpret(PreviewWords& words)
 {
-    expect_sensible(words);
+    if (words.picture.empty() && words.strip.empty())
+        throw UsageError("no picture is asked for; name one with -o or --strip");
     for (const auto& file : {words.picture, words.strip})
         if (!file.empty())
             check_picture_name(file);

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 
+#include "bake/checks.h"
 #include "bake/commands.h"
 #include "bake/recipe.h"
 #include "bake/set_inputs.h"
@@ -53,73 +53,61 @@ void add_options(CLI::App& command, ValidateWords& words)
                     "compare the statistics, cast no rays");
     views->add_option("--view-angles", view.angles_deg, "degrees from the normal")
         ->delimiter(',')
-        ->check(CLI::Range(0.0, 89.0))
+        ->check(number_from_to(0, 89))
         ->capture_default_str();
     views->add_option("--azimuths", view.azimuths, "of each angle")
-        ->check(CLI::Range(1, 64))
+        ->check(whole_number_from_to(1, 64))
         ->capture_default_str();
     views
         ->add_option("--light", words.light,
                      "one light instead of three: degrees from the normal, and from +s (right) "
                      "towards +t (down)")
         ->expected(2)
+        ->check(number_from_to(0, 89).application_index(0))
+        ->check(finite_number().application_index(1))
         ->option_text("ANGLE AZIMUTH");
     views->add_option("--footprints", view.footprints, "of each level")
-        ->check(CLI::Range(1, 1000000))
+        ->check(whole_number_from_to(1, 1000000))
         ->capture_default_str();
     views->add_option("--samples", view.grid, "along each side of a footprint: 32 is 32x32")
-        ->check(CLI::Range(2, 1024))
+        ->check(whole_number_from_to(2, 1024))
         ->capture_default_str();
     views->add_option("--seed", view.seed, "of the samples")->capture_default_str();
     views->add_option("--base-alpha", view.material.base_alpha, "Beckmann roughness of a facet")
-        ->check(CLI::Range(0.001, 1.0))
+        ->check(number_from_to(0.001, 1))
         ->capture_default_str();
     views->add_option("--f0", view.material.f0, "share of the light that a facet mirrors")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(number_from_to(0, 1))
         ->capture_default_str();
 
     auto* limits = command.add_option_group("Tolerances");
     limits
         ->add_option("--statistics-tolerance", tolerances.statistics,
                      "of the statistics, in multiples of what storage explains")
-        ->check(CLI::PositiveNumber)
+        ->check(number_above_zero())
         ->capture_default_str();
     const char* relative = "rms error, relative, of the worst view angle [not judged]";
-    limits->add_option("--color-tolerance", tolerances.color, relative)->check(CLI::PositiveNumber);
+    limits->add_option("--color-tolerance", tolerances.color, relative)->check(number_above_zero());
     limits->add_option("--radiance-tolerance", tolerances.radiance, relative)
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     limits
         ->add_option("--masking-tolerance", tolerances.masking,
                      "rms error of G1 of the worst view angle [not judged]")
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     limits
         ->add_option("--slope-tolerance", tolerances.slope,
                      "rms error of the visible slope over the map's rms slope [not judged]")
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
     limits
         ->add_option("--covariance-tolerance", tolerances.covariance,
                      "rms error of its covariance over the square of that [not judged]")
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_zero());
 
     auto* running = command.add_option_group("Running");
     running->add_option("--threads", words.threads, "number of threads [all]")
-        ->check(CLI::NonNegativeNumber);
+        ->check(whole_number_from(0));
     running->add_flag("--quiet", words.quiet,
                       "no progress, no tables; the exit status says it all");
-}
-
-/// What the options' own checks let pass: a NaN is outside no range, and a range of --light would
-/// hold for its azimuth too.
-void expect_sensible(const ValidateWords& words)
-{
-    const ViewPlan& view = words.plan.view;
-    auto is_above = [](double angle_deg) { return angle_deg >= 0 && angle_deg <= 89; };
-    if (!std::all_of(view.angles_deg.begin(), view.angles_deg.end(), is_above))
-        throw UsageError("--view-angles: expected 0 to 89 degrees from the normal");
-    if (!words.light.empty() && !(is_above(words.light[0]) && std::isfinite(words.light[1])))
-        throw UsageError("--light: expected 0 to 89 degrees from the normal, and an azimuth");
-    if (!std::isfinite(view.material.base_alpha + view.material.f0))
-        throw UsageError("--base-alpha, --f0: expected numbers");
 }
 
 void print(const Validation& validation, const Manifest& manifest)
@@ -170,7 +158,6 @@ void run(CLI::App& command, ValidateWords& words)
 {
     if (!words.recipe.empty())
         apply_validate_table(command, words.recipe, kPathKeys);
-    expect_sensible(words);
     if (!words.light.empty())
         words.plan.view.lights_deg = {{words.light[0], words.light[1]}};
     const ThreadLimit limit(words.threads);

@@ -43,9 +43,9 @@ expect_error "a normal map" 'normals: .*normal map.*--parts plain,set' -- \
     "$scree" preview normals --inputs . -o out.png
 
 expect_usage_error "no picture" 'name one with -o or --strip' -- "$scree" preview pair/set
-expect_usage_error "a light below the plane" '--light: expected 0 to 89' -- \
+expect_usage_error "a light below the plane" '--light: expected a number from 0 to 89' -- \
     "$scree" preview pair/set -o out.png --light 90 0
-expect_usage_error "an angle that is no number" 'no number' -- \
+expect_usage_error "an angle that is no number" '--view-angle: expected a number' -- \
     "$scree" preview pair/set -o out.png --view-angle nan
 expect_usage_error "an unknown part" 'truth' -- "$scree" preview pair/set -o out.png --parts truth
 expect_usage_error "an angle beyond the horizon" 'view-angle' -- \

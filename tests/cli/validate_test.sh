@@ -155,7 +155,7 @@ kind "a color map along a slope" "${heights[@]}" --colormap art/map.cpt --map-by
 expect_usage_error "an angle of 90" 'view-angles' -- "$scree" validate bricks.set --view-angles 0,90
 expect_usage_error "an angle that is none" 'view-angles' -- "$scree" validate bricks.set --view-angles nan
 for angle in 180 90 -1 nan; do
-    expect_usage_error "a light at $angle" '--light: expected 0 to 89 degrees' -- \
+    expect_usage_error "a light at $angle" '--light: expected a number from 0 to 89' -- \
         "$scree" validate bricks.set --light $angle 0
 done
 expect_usage_error "no set named" 'set' -- "$scree" validate
