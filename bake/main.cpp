@@ -1,9 +1,12 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <system_error>
 
 #include "bake/commands.h"
 #include "bake/supervisor.h"
@@ -14,6 +17,20 @@
 namespace {
 
 constexpr int kFailed = 1, kUsage = 2, kInterrupted = 130;
+
+/// What is wrong with the command line; `e` alone does not name a command that is none.
+std::string usage_error(const CLI::App& app, const CLI::ParseError& e)
+{
+    const auto commands = app.get_subcommands();
+    if (!commands.empty())
+        return fmt::format("{}; see scree {} --help", e.what(), commands.front()->get_name());
+    const auto unknown = app.remaining();
+    if (unknown.empty())
+        return fmt::format("{}; see scree --help", e.what());
+    const std::string& word = unknown.front();
+    return fmt::format("there is no {} '{}'; see scree --help",
+                       word.rfind('-', 0) == 0 ? "option" : "command", word);
+}
 
 int run(int argc, char** argv)
 {
@@ -35,11 +52,16 @@ int run(int argc, char** argv)
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) // --help and --version come this way too
             return app.exit(e);
-        const auto commands = app.get_subcommands();
-        const std::string of = commands.empty() ? "" : commands.front()->get_name() + " ";
-        throw scree::tool::UsageError(fmt::format("{}; see scree {}--help", e.what(), of));
+        throw scree::tool::UsageError(usage_error(app, e));
     }
     return 0;
+}
+
+/// Throws std::system_error, as fmt::print does earlier, when what was printed did not arrive.
+void expect_printed()
+{
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw std::system_error(errno, std::generic_category());
 }
 
 int complain(const char* what, int status)
@@ -51,7 +73,9 @@ int complain(const char* what, int status)
 int guarded(int argc, char** argv)
 {
     try {
-        return run(argc, argv);
+        const int status = run(argc, argv);
+        expect_printed();
+        return status;
     } catch (const scree::Cancelled&) {
         std::fputs("scree: stopped; nothing was written\n", stderr);
         return kInterrupted;
@@ -59,6 +83,13 @@ int guarded(int argc, char** argv)
         return complain(e.what(), kUsage);
     } catch (const std::bad_alloc&) {
         return complain("out of memory", kFailed);
+    } catch (const std::system_error& e) {
+        if (std::ferror(stdout) == 0)
+            return complain(e.what(), kFailed);
+        return complain(fmt::format("standard output: cannot be written: {}; send it elsewhere",
+                                    e.code().message())
+                            .c_str(),
+                        kFailed);
     } catch (const std::exception& e) {
         return complain(e.what(), kFailed);
     }

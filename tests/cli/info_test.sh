@@ -58,4 +58,24 @@ cp set/fractal.scree.json bad/fractal.scree.json
 cp set/fractal.scree.json bad/second.scree.json
 expect_error "two manifests" 'bad: 2 manifests' -- "$scree" info bad
 
+# --- nowhere to print to ---
+# unprinted NAME COMMAND...: what the command prints does not arrive, which is an error.
+unprinted()
+{
+    local name=$1
+    shift
+    expect_error "$name" '^scree: error: standard output: cannot be written: .*; send it elsewhere$' \
+        -- bash -c '"$@" > /dev/full' - "$@"
+}
+unprinted "info, no room" "$scree" info set
+unprinted "info --json, no room" "$scree" info --json set
+unprinted "help, no room" "$scree" bake --help
+unprinted "version, no room" "$scree" --version
+unprinted "bake, no room for its summary" "$scree" bake pair/fractal.toml -o whole
+[ -e whole/fractal.scree.json ] || fail "bake, no room for its summary: no set"
+expect_error "no standard output" 'standard output: cannot be written' -- \
+    bash -c '"$@" >&-' - "$scree" info set
+expect_success "nothing to print" -- bash -c '"$@" > /dev/full' - \
+    "$scree" bake pair/fractal.toml -o whole --quiet
+
 finish

@@ -8,7 +8,11 @@ bake=("$scree" bake --height $height -o out --quiet)
 
 # --- the command line ------------------------------------------------------------------------------
 expect_usage_error "no command" 'command' -- "$scree"
-expect_usage_error "unknown command" 'subcommand.*--help' -- "$scree" bkae
+expect_usage_error "unknown command" "there is no command 'bkae'; see scree --help" -- "$scree" bkae
+expect_usage_error "unknown command with options" "no command 'bkae'; see scree --help" -- \
+    "$scree" bkae -o out
+expect_usage_error "an option before the command" "no option '--quiet'; see scree --help" -- \
+    "$scree" --quiet
 expect_usage_error "unknown option" '--heigth.*--help' -- "$scree" bake --heigth x -o out
 expect_usage_error "no height" '--height FILE' -- "$scree" bake -o out
 expect_usage_error "no output" '-o DIR' -- "$scree" bake --height $height
