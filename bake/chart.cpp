@@ -15,6 +15,7 @@
 #include "bake/text_file.h"
 #include "chart/report.h"
 #include "sample/field.h"
+#include "texset/writable.h"
 
 namespace scree::tool {
 
@@ -125,6 +126,8 @@ void run(const ChartWords& words)
 {
     const ChartFiles files = files_for(words.output);
     const MadeFolder folder(fs::absolute(files.page).parent_path());
+    expect_writable(files.page);
+    expect_writable(files.numbers);
     write(charts_of(words), words, files);
     if (!words.quiet)
         fmt::print("{}\n{}\n", files.page.string(), files.numbers.string());

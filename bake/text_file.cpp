@@ -25,9 +25,8 @@ void write_text(const std::string& text, const std::filesystem::path& file)
         return;
     std::error_code ignored;
     std::filesystem::remove(partial, ignored);
-    throw Error(fmt::format("{}: cannot be written{}; is the folder there, may it be written to, "
-                            "is there room on the disk?",
-                            file.string(), failed ? ": " + failed.message() : ""));
+    throw Error(fmt::format("{}: cannot be written{}; is there room on the disk?", file.string(),
+                            failed ? ": " + failed.message() : ""));
 }
 
 } // namespace scree::tool

@@ -18,6 +18,7 @@
 #include "judge/validation_page.h"
 #include "judge/view_report.h"
 #include "pipeline/thread_limit.h"
+#include "texset/writable.h"
 
 namespace scree::tool {
 
@@ -160,6 +161,10 @@ void run(CLI::App& command, ValidateWords& words)
         apply_validate_table(command, words.recipe, kPathKeys);
     if (!words.light.empty())
         words.plan.view.lights_deg = {{words.light[0], words.light[1]}};
+    if (!words.report.empty())
+        expect_writable(words.report);
+    if (!words.json.empty() && words.json != "-")
+        expect_writable(words.json);
     const ThreadLimit limit(words.threads);
     SetReader set(words.set.path);
     const Validation validation = validated(words, set);

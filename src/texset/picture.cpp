@@ -91,9 +91,7 @@ struct PartialFile {
 
 void check_picture_name(const std::filesystem::path& file)
 {
-    const std::filesystem::path folder = file.parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder))
-        refuse(file, fmt::format("there is no folder {}", folder.string()));
+    expect_writable(file);
     if (!OIIO::ImageOutput::create(file.string())) {
         OIIO::geterror(); // said better here
         refuse(file, "no picture format has this ending; use .png, .jpg or .exr");

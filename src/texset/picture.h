@@ -18,8 +18,8 @@ double fitting_exposure(std::vector<float> values);
 /// Eight-bit sRGB PNG; values are clamped to [0, 1], NaN shows as magenta.
 std::vector<uint8_t> png_bytes(const Picture& picture);
 
-/// Throws Error as write_picture() would for what can be known beforehand: no such folder, or an
-/// ending that no picture format has.
+/// Throws Error as write_picture() would for what can be known beforehand: no such folder, a
+/// device or a pipe of that name, or an ending that no picture format has.
 void check_picture_name(const std::filesystem::path& file);
 
 /// Writes the picture by the ending of its name: 8-bit sRGB for png, jpg and the like, scene-linear

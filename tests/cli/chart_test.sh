@@ -40,6 +40,10 @@ expect_error "no such image" 'gone\.exr: ' -- "$scree" chart --height gone.exr -
 expect_error "too small" '3x3.*4x4' -- bash -c \
     '"$1" sample sine --size 3 -o tiny --quiet && exec "$1" chart tiny/sine.toml -o out' - "$scree"
 
+mkdir -p taken/chart.csv
+expect_error "a folder for the numbers" 'taken/chart\.csv: cannot be written: is a folder' -- \
+    "$scree" chart --height gone.exr -o taken
+
 timeout --preserve-status -s INT -k 5 1 "$scree" chart fractal --samples 512 -o out > stdout 2> stderr
 expect_equal "exit status when stopped" $? 130
 [ ! -e out ] || fail "stopped: left behind: $(ls out)"

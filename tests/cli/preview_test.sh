@@ -53,6 +53,9 @@ expect_usage_error "an angle beyond the horizon" 'view-angle' -- \
 # Found before anything is drawn.
 expect_error "no such folder" '^scree: error: gone/a\.png: .*no folder gone' -- \
     "$scree" preview pair/set -o gone/a.png
+mkfifo pipe.png
+expect_error "a pipe" 'pipe\.png: cannot be written: is a device or a pipe' -- \
+    "$scree" preview pair/set -o pipe.png
 expect_error "an unknown ending" 'a\.what: .*\.png' -- "$scree" preview pair/set -o a.what
 expect_error "no set" 'pair: no texture set here' -- "$scree" preview pair -o out.png
 expect_error "a camera underground" 'show more repeats' -- \

@@ -94,6 +94,8 @@ if [ "$(id -u)" -ne 0 ]; then
     chmod 000 secret.exr
     expect_error "an input without permission" 'secret\.exr: ' -- "$scree" bake --height secret.exr \
         -o out
+    expect_error "a page in it" 'sealed/page\.html: .*takes no files: Permission' -- \
+        "$scree" validate set --report sealed/page.html
 elif command -v setpriv > /dev/null; then
     # Root may do everything: as nobody, then.
     chmod 755 . && chmod -R a+rX pair
@@ -105,6 +107,8 @@ elif command -v setpriv > /dev/null; then
             "${as_nobody[@]}" "${bake[@]}" -o sealed/set
         expect_error "an input without permission" 'secret\.exr: .*[Pp]ermission' -- \
             "${as_nobody[@]}" "$scree" bake --height secret.exr -o sealed/set
+        expect_error "a page in it" 'sealed/page\.html: .*takes no files: Permission' -- \
+            "${as_nobody[@]}" "$scree" validate set --report sealed/page.html
     else
         skip_part "permissions: nobody cannot run $scree"
     fi
@@ -146,6 +150,8 @@ if [ "$(id -u)" -eq 0 ] && mount -t tmpfs -o size=128k none small 2> /dev/null; 
         "$scree" sample fractal --size 256 -o small/pair
     mount -o remount,ro "$work/small"
     expect_error "read-only disk" 'small/set: .*[Rr]ead-only' -- "${bake[@]}" -o small/set
+    expect_error "a page on it" 'small/page\.html: .*[Rr]ead-only' -- \
+        "$scree" validate set --report small/page.html
 else
     skip_part "full and read-only disk: mounting one needs root"
 fi

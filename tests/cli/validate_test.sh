@@ -94,8 +94,16 @@ expect_success "inputs in the current folder" -- "$scree" validate bricks.set --
 rm bricks.*.exr
 
 # --- places that cannot be written ---
-expect_error "no folder for the page" 'nowhere/page.html: cannot be written' -- \
-    "$scree" validate bricks.set --inputs art "${quick[@]}" --report nowhere/page.html
+# Found before the work: before the inputs, which are not here.
+expect_error "no folder for the page" 'nowhere/page.html: cannot be written: there is no folder nowhere' -- \
+    "$scree" validate bricks.set --report nowhere/page.html
+expect_error "no folder for the JSON" 'art/bricks.toml/all.json: cannot be written: .*no folder' -- \
+    "$scree" validate bricks.set --json art/bricks.toml/all.json
+expect_error "a folder for the page" 'art: cannot be written: is a folder' -- \
+    "$scree" validate bricks.set --report art
+ln -s nowhere/page.html lost.html
+expect_error "a link to no folder" 'lost.html: cannot be written: there is no folder nowhere' -- \
+    "$scree" validate bricks.set --report lost.html
 
 ln -s real.html link.html
 expect_success "a link to the page" -- "$scree" validate bricks.set --inputs art --statistics-only \
@@ -103,7 +111,7 @@ expect_success "a link to the page" -- "$scree" validate bricks.set --inputs art
 [ -L link.html ] && [ -f real.html ] || fail "the link was replaced: $(ls -l link.html)"
 mkfifo pipe.json
 expect_error "a pipe" 'pipe.json: cannot be written: is a device or a pipe' -- \
-    "$scree" validate bricks.set --inputs art --statistics-only --json pipe.json --quiet
+    "$scree" validate bricks.set --json pipe.json
 [ -p pipe.json ] || fail "the pipe was replaced"
 
 # --- comparing nothing is no success ---
