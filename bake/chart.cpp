@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 #include "bake/bake_words.h"
 #include "bake/checks.h"
@@ -72,7 +73,21 @@ std::unique_ptr<BakeOptions> options_named(const std::string& word)
 struct AssetWish {
     std::string sample;
     std::unique_ptr<BakeOptions> options; ///< null: the sample
+
+    [[nodiscard]] std::string name() const { return options ? asset_name(*options) : sample; }
 };
+
+/// The names of charts and the numbers' first column tell assets apart.
+void expect_own_names(const std::vector<AssetWish>& wishes)
+{
+    std::set<std::string> names;
+    for (const AssetWish& wish : wishes)
+        if (!names.insert(wish.name()).second)
+            throw UsageError(fmt::format("two assets are called '{}', and so would their charts "
+                                         "be; leave one out, or name it in a recipe: name = "
+                                         "\"...\"",
+                                         wish.name()));
+}
 
 std::vector<AssetWish> wishes_of(const ChartWords& words)
 {
@@ -86,6 +101,7 @@ std::vector<AssetWish> wishes_of(const ChartWords& words)
     if (wishes.empty())
         for (const char* sample : {"fractal", "bricks"})
             wishes.push_back({sample, nullptr});
+    expect_own_names(wishes);
     return wishes;
 }
 

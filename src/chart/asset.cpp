@@ -80,6 +80,11 @@ Asset sample_asset(const std::string& kind, int size_texels)
     return {kind, std::move(relief), shape};
 }
 
+std::string asset_name(const BakeOptions& options)
+{
+    return options.name.empty() ? options.height_file.stem().string() : options.name;
+}
+
 Asset asset_of(const BakeOptions& options, const BakeMonitor& monitor)
 {
     if (options.normal_input)
@@ -91,8 +96,7 @@ Asset asset_of(const BakeOptions& options, const BakeMonitor& monitor)
     if (!original.has_color)
         relief.colors.assign(relief.heights.size(), {1, 1, 1});
     const BakeOptions shape = shape_of(options, relief);
-    return {options.name.empty() ? options.height_file.stem().string() : options.name,
-            std::move(relief), shape};
+    return {asset_name(options), std::move(relief), shape};
 }
 
 void AssetSource::read(int count, SurfaceRows& rows)

@@ -21,6 +21,9 @@ struct Asset {
 /// Throws Error for an unknown kind, or a size that no sample has.
 Asset sample_asset(const std::string& kind, int size_texels);
 
+/// What asset_of() calls it: as the options say, else as the height file.
+std::string asset_name(const BakeOptions& options);
+
 /// What `scree bake` with these options would read; a color map is already looked up.
 /// Throws Error as a bake does, and for normal maps, which have no heights.
 Asset asset_of(const BakeOptions& options, const BakeMonitor& monitor = {});

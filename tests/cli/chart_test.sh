@@ -36,6 +36,12 @@ expect_usage_error "color alone" '--height|height map' -- \
     "$scree" chart --color pair/bricks.color.exr -o out
 expect_usage_error "one sample of truth" '--samples' -- "$scree" chart sine --samples 1 -o out
 expect_usage_error "no roughness" '--base-alpha' -- "$scree" chart sine --base-alpha 0 -o out
+grep -v '^name' pair/bricks.toml > pair/unnamed.toml
+for twice in "sine sine" "bricks pair/bricks.toml" "pair/bricks.toml sine pair/bricks.toml" \
+    "pair/unnamed.toml --height pair/bricks.height.exr"; do
+    expect_usage_error "two of a name: $twice" "two assets are called '.*name = " -- \
+        "$scree" chart $twice -o out
+done
 expect_error "no such image" 'gone\.exr: ' -- "$scree" chart --height gone.exr -o out
 expect_error "too small" '3x3.*4x4' -- bash -c \
     '"$1" sample sine --size 3 -o tiny --quiet && exec "$1" chart tiny/sine.toml -o out' - "$scree"
