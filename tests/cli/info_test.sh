@@ -28,7 +28,7 @@ grep -q 'rms slope' stdout || fail "info: expected the warning of the bake in: $
 expect_usage_error "info of nothing" 'set' -- "$scree" info
 expect_error "no such set" 'gone: no such' -- "$scree" info gone
 expect_error "a folder without a set" 'pair: no texture set here' -- "$scree" info pair
-expect_error "a texture" 'fractal\.slope\.exr: ' -- "$scree" info set/fractal.slope.exr
+expect_error "a texture" 'fractal\.slope\.exr: not a Scree manifest; name the folder' -- "$scree" info set/fractal.slope.exr
 expect_error "an empty file" 'empty: ' -- bash -c ': > empty; exec "$@"' - "$scree" info empty
 
 # damaged NAME PATTERN SED...: a manifest changed by sed is an error that names it.
@@ -42,18 +42,18 @@ damaged()
     ! cmp -s set/fractal.scree.json bad/fractal.scree.json || fail "$name: sed changed nothing"
     expect_error "$name" "bad/fractal\.scree\.json: $pattern" -- "$scree" info bad
 }
-damaged "cut manifest" 'damaged' '20,$d'
-damaged "no JSON" 'damaged' '1s/{/[/'
+damaged "cut manifest" 'damaged manifest: cut short, .*line 20 on; bake the set again' '20,$d'
+damaged "no JSON" 'damaged manifest: cut short, or no JSON from line 2 on; bake' '2s/:/;/'
 damaged "a later version" 'format version 99.*newer scree' 's/"format_version": [0-9]*/"format_version": 99/'
-damaged "another format" 'not a Scree manifest' 's/"scree texture set"/"other"/'
+damaged "another format" 'not a Scree manifest; name the folder' 's/"scree texture set"/"other"/'
 damaged "no version" 'damaged' '/"format_version"/d'
-damaged "no width" 'damaged' 's/^  "width"/  "breadth"/'
-damaged "text for a number" 'damaged' 's/^  "width": [0-9]*/  "width": "wide"/'
-damaged "unknown map" '' 's/"map": "slope"/"map": "slope2"/'
+damaged "no width" "damaged manifest: 'width' is missing; bake the set again" 's/^  "width"/  "breadth"/'
+damaged "text for a number" "damaged manifest: 'width' is text, expected a whole number; bake" 's/^  "width": [0-9]*/  "width": "wide"/'
+damaged "unknown map" "damaged manifest: holds a map 'slope2', which this version does not know" 's/"map": "slope"/"map": "slope2"/'
 damaged "no levels" 'damaged' 's/^  "levels"/  "stories"/'
-damaged "levels of no list" 'damaged' 's/^  "warnings": .*/  "warnings": 3/'
+damaged "warnings of no list" "damaged manifest: 'warnings' is a number, expected a list of text" 's/^  "warnings": .*/  "warnings": 3/'
 : > bad/fractal.scree.json
-expect_error "empty manifest" 'bad/fractal\.scree\.json: damaged' -- "$scree" info bad
+expect_error "empty manifest" 'bad/fractal\.scree\.json: damaged manifest: the file is empty' -- "$scree" info bad
 cp set/fractal.scree.json bad/fractal.scree.json
 cp set/fractal.scree.json bad/second.scree.json
 expect_error "two manifests" 'bad: 2 manifests' -- "$scree" info bad

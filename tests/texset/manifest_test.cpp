@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 
@@ -228,29 +229,68 @@ TEST(ManifestFile, AManifestCutShortIsCalledDamagedByName)
     }
 }
 
-TEST(ManifestFile, FieldsMissingOrOfAnotherKindAreErrorsThatNameTheFile)
+TEST(ManifestFile, FieldsMissingOrOfAnotherKindAreErrorsThatNameThemAndTheFile)
 {
     TempFolder temp;
     const auto path = temp / "a.scree.json";
     const std::string text = to_json(full_manifest());
-    const std::pair<const char*, const char*> damages[] = {
-        {"\"width\": 99", "\"width\": \"wide\""},
-        {"\"width\": 99", "\"breadth\": 99"},
-        {"\"texel_size\": [", "\"texel_size\": [], \"was\": ["},
-        {"\"map\": \"slope\"", "\"map\": \"slopes\""},
-        {"\"h1\"", "\"h7\""},
-        {"\"levels\": [\n", "\"levels\": [3,\n"},
-        {"scree texture set", "some other file"}};
-    for (const auto& [from, to] : damages) {
-        write_text(path, replaced(text, from, to));
-        EXPECT_NE(message_of_reading(path).find(path.string()), std::string::npos)
-            << from << " -> " << to << ": " << message_of_reading(path);
+    struct Damage {
+        const char *from, *to, *message;
+    };
+    const Damage damages[] = {
+        {"\"width\": 99", "\"width\": \"wide\"", "'width' is text, expected a whole number"},
+        {"\"width\": 99", "\"width\": 9.5", "'width' is 9.5, expected a whole number"},
+        {"\"width\": 99", "\"width\": 3e9", "'width' is 3e+09, expected a whole number"},
+        {"\"width\": 99", "\"breadth\": 99", "'width' is missing"},
+        {"\"width\": 99", "\"width\": 1e999", "a number in it is too large"},
+        {"\"texel_size\": [", "\"texel_size\": [], \"was\": [",
+         "'texel_size' is a list of 0, expected one of 2"},
+        {"\"map\": \"slope\"", "\"map\": \"slopes\"", "a map 'slopes'"},
+        {"\"h1\"", "\"h7\"", "'h1' is missing"},
+        {"\"levels\": [\n", "\"levels\": [3,\n", "'levels[0]' is a number, expected an object"},
+        {"\"warnings\": [\n", "\"warnings\": [null,\n", "'warnings[0]' is null, expected text"},
+        {"\"format_version\"", "\"version\"", "'format_version' is missing"}};
+    for (const Damage& damage : damages) {
+        write_text(path, replaced(text, damage.from, damage.to));
+        const std::string message = message_of_reading(path);
+        EXPECT_EQ(message.find(path.string() + ": damaged manifest: "), 0U) << message;
+        EXPECT_NE(message.find(damage.message), std::string::npos)
+            << damage.from << " -> " << damage.to << ": " << message;
+        EXPECT_NE(message.find("; bake the set again"), std::string::npos) << message;
     }
-    for (const char* json : {"[]", "3", "null", "\"text\"", "{}"}) { // JSON, but no manifest
-        write_text(path, json);
-        EXPECT_NE(message_of_reading(path).find(path.string()), std::string::npos)
-            << json << ": " << message_of_reading(path);
+}
+
+TEST(ManifestFile, WhatIsNoManifestIsNotCalledDamaged)
+{
+    TempFolder temp;
+    const auto path = temp / "a.scree.json";
+    const std::string other =
+        replaced(to_json(full_manifest()), "scree texture set", "some other file");
+    for (const std::string& text :
+         {other, std::string("[]"), std::string("3"), std::string("null"), std::string("{}"),
+          std::string("{\"format\": 2}"), std::string("some notes\n")}) {
+        write_text(path, text);
+        EXPECT_EQ(message_of_reading(path),
+                  path.string() +
+                      ": not a Scree manifest; name the folder of a texture set, or the "
+                      "file NAME.scree.json in it")
+            << text;
     }
+}
+
+TEST(ManifestFile, DamageToTheTextIsFoundByItsLine)
+{
+    TempFolder temp;
+    const auto path = temp / "a.scree.json";
+    const std::string text = to_json(full_manifest());
+    write_text(path, replaced(text, "\"width\": 99,", "\"width\": 99;"));
+    const auto line =
+        1 + std::count(text.begin(),
+                       text.begin() + static_cast<std::ptrdiff_t>(text.find("\"width\": 99")),
+                       '\n');
+    EXPECT_NE(message_of_reading(path).find("no JSON from line " + std::to_string(line) + " on"),
+              std::string::npos)
+        << message_of_reading(path);
 }
 
 TEST(ManifestFile, ALaterFormatVersionIsRefusedAndTellsWhatToDo)
