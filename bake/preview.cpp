@@ -14,6 +14,7 @@
 #include "bake/commands.h"
 #include "bake/set_inputs.h"
 #include "bake/terminal.h"
+#include "judge/ray_reach.h"
 #include "pipeline/thread_limit.h"
 #include "report/table.h"
 
@@ -155,7 +156,12 @@ reference::DisplacedSurface read_surface(const PreviewWords& words, const Manife
                                 "leave the reference out with --parts plain,set",
                                 words.set.path.string()));
     original.relief.beyond_s = original.relief.beyond_t = reference::Beyond::repeats;
-    return reference::DisplacedSurface(std::move(original.relief));
+    reference::DisplacedSurface surface(std::move(original.relief));
+    const std::string too_high = too_high_for_rays(surface);
+    if (!too_high.empty())
+        throw Error(fmt::format("{}: {}, or leave the reference out with --parts plain,set",
+                                words.set.path.string(), too_high));
+    return surface;
 }
 
 std::string parts_of(const PreviewScene& scene)

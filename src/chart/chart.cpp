@@ -5,6 +5,7 @@
 #include "chart/footprints.h"
 #include "chart/pareto.h"
 #include "chart/truth.h"
+#include "judge/ray_reach.h"
 #include "math/error.h"
 #include "pipeline/thread_limit.h"
 
@@ -86,9 +87,12 @@ AssetChart make_chart(const Asset& asset, const ChartOptions& options, const Bak
 {
     expect_sensible(options);
     const ThreadLimit limit(options.threads);
+    const reference::DisplacedSurface surface(asset.relief);
+    const std::string too_high = too_high_for_rays(surface);
+    if (!too_high.empty())
+        throw Error(fmt::format("{}: {}", asset.name, too_high));
     const ChartFootprints footprints =
         bake_footprints(asset, options.footprints, options.seed, monitor);
-    const reference::DisplacedSurface surface(asset.relief);
     const TruthPlan plan{chart_views(), options.material, options.grid, options.seed};
     const ChartTruth truth = gather_truth(surface, footprints.places, plan, monitor);
     const MethodSetting setting{options.material, &footprints.height_colors};

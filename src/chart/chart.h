@@ -45,7 +45,8 @@ struct AssetChart {
 /// Bakes the asset, gathers the truth, and holds every method against it.
 ///
 /// The errors depend on asset and options alone; the costs are measured.
-/// Throws Error as bake_footprints() does, and for options that make no sense.
+/// Throws Error as bake_footprints() does, for options that make no sense, and for heights that are
+/// too high for rays (judge/ray_reach.h).
 AssetChart make_chart(const Asset& asset, const ChartOptions& options,
                       const BakeMonitor& monitor = {});
 

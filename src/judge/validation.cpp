@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "judge/asset_flags.h"
+#include "judge/ray_reach.h"
 
 namespace scree {
 
@@ -97,6 +99,15 @@ void flag_worse_than_plain(const ViewCheck& check, const char* name, ViewError V
             (worst->*figure).plain));
 }
 
+/// What was found until then, if views cannot be compared.
+Validation without_views(const std::string& why, const ValidationPlan& plan, Validation found)
+{
+    found.without_views = why;
+    if (has_tolerance_of_views(plan.tolerances))
+        found.exceeded.push_back("what views see, which has a tolerance, was not compared: " + why);
+    return found;
+}
+
 } // namespace
 
 bool has_tolerance_of_views(const Tolerances& tolerances)
@@ -115,21 +126,18 @@ Validation validate(SetReader& set, Original original, const BakeOptions& option
     judge(found.statistics, plan.tolerances.statistics, found.exceeded);
     found.flags = asset_flags(original, options.reconstruction);
     if (original.relief.heights.empty())
-        found.without_views = "a normal map has no heights to cast rays at";
-    else if (!has(manifest, Map::slope) && !has(manifest, Map::bumpslopes))
-        found.without_views = "the set has no slopes to tell what a view sees";
-    else if (!plan.views)
-        found.without_views = "only the statistics were asked for";
-    if (!found.without_views.empty()) {
-        if (has_tolerance_of_views(plan.tolerances))
-            found.exceeded.push_back("what views see, which has a tolerance, was not compared: " +
-                                     found.without_views);
-        return found;
-    }
-
+        return without_views("a normal map has no heights to cast rays at", plan, std::move(found));
+    if (!has(manifest, Map::slope) && !has(manifest, Map::bumpslopes))
+        return without_views("the set has no slopes to tell what a view sees", plan,
+                             std::move(found));
+    if (!plan.views)
+        return without_views("only the statistics were asked for", plan, std::move(found));
     if (!has(manifest, Map::color))
         original.relief.colors.clear(); // the set shows white, so must the reference
     const reference::DisplacedSurface surface(std::move(original.relief));
+    const std::string too_high = too_high_for_rays(surface);
+    if (!too_high.empty())
+        return without_views(too_high, plan, std::move(found));
     found.views = check_views(set, surface, plan.view, told(monitor, "compare what views see"));
     judge(*found.views, plan.tolerances, found.exceeded);
     flag_worse_than_plain(*found.views, "radiance", &ViewErrors::radiance, found.flags);

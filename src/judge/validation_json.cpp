@@ -78,6 +78,8 @@ std::string to_json(const Validation& validation, const ValidationPlan& plan,
         json["statistics"].push_back(json_of(figure));
     if (validation.views)
         json["views"] = json_of(*validation.views, plan.view);
+    if (!validation.without_views.empty())
+        json["views_not_compared"] = validation.without_views;
     return json.dump(2) + "\n";
 }
 

@@ -46,6 +46,8 @@ expect_error "no such image" 'gone\.exr: ' -- "$scree" chart --height gone.exr -
 expect_error "too small" '3x3.*4x4' -- bash -c \
     '"$1" sample sine --size 3 -o tiny --quiet && exec "$1" chart tiny/sine.toml -o out' - "$scree"
 
+expect_error "heights of the wrong scale" 'bricks\.height: heights range .*--height-scale' -- \
+    "$scree" chart --height pair/bricks.height.exr --height-scale 1e6 -o out
 mkdir -p taken/chart.csv
 expect_error "a folder for the numbers" 'taken/chart\.csv: cannot be written: is a folder' -- \
     "$scree" chart --height gone.exr -o taken

@@ -42,6 +42,10 @@ oiiotool --pattern constant:color=0.5,0.5,1 16x16 3 -o normal.png
 expect_error "a normal map" 'normals: .*normal map.*--parts plain,set' -- \
     "$scree" preview normals --inputs . -o out.png
 
+"$scree" bake pair/bricks.toml --height-scale 1e6 -o high --quiet || fail "bake of high bricks"
+expect_error "heights of the wrong scale" 'high: heights range .*--height-scale.*--parts plain,set' -- \
+    "$scree" preview high --inputs pair -o out.png
+
 expect_usage_error "no picture" 'name one with -o or --strip' -- "$scree" preview pair/set
 expect_usage_error "a light below the plane" '--light: expected a number from 0 to 89' -- \
     "$scree" preview pair/set -o out.png --light 90 0

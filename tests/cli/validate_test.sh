@@ -42,7 +42,9 @@ for link in re.findall(r'(?:src|href)\s*=\s*"([^"]*)"', page):
 assert page.count("data:image/png;base64,") == 8 and "<svg" in page and "<script" not in page
 P
 run "$scree" validate bricks.set --inputs art --statistics-only --json -
-python3 -c 'import json, sys; assert "views" not in json.load(open("stdout"))' ||
+python3 -c 'import json
+found = json.load(open("stdout"))
+assert "views" not in found and found["views_not_compared"] == "only the statistics were asked for"' ||
     fail "--statistics-only: $(head -c 300 stdout)"
 
 # equal seeds, equal figures, whatever the threads
@@ -148,6 +150,13 @@ expect_error "a normal map with a tolerance of views" 'was not compared: a norma
     "$scree" validate kind.set --inputs art --color-tolerance 1
 expect_success "validate a normal map again" -- "$scree" validate kind.set --inputs art
 grep -q 'has no heights' stdout || fail "a normal map: does not say why no views: $(cat stdout)"
+kind "heights of the wrong scale" "${heights[@]}" --height-scale 1e6
+grep -Eq 'not compared: heights range over .*--height-scale' stdout ||
+    fail "heights of the wrong scale: does not say why no views: $(cat stdout)"
+expect_error "heights of the wrong scale with a tolerance of views" 'was not compared: heights range' -- \
+    "$scree" validate kind.set --inputs art --color-tolerance 1
+kind "the same, clamped" "${heights[@]}" --height-scale 1e6 --wrap clamp
+grep -q 'not compared' stdout && fail "the same, clamped: views were not compared: $(cat stdout)"
 cat > art/map.cpt <<'C'
 -1 20 40 90 0 90 160 60
 0 90 160 60 1 250 250 250
