@@ -95,6 +95,13 @@ Real g2(const Masking<Real>& view, const Masking<Real>& light)
     return kernel::scree_g2(view.lambda, light.lambda);
 }
 
+/// Lambda corrected by what was measured of the asset; gain, bend >= 0, in the manifest.
+template <typename Real>
+Real corrected_exponent(Real lambda, Real gain, Real bend)
+{
+    return kernel::scree_corrected_exponent(lambda, gain, bend);
+}
+
 /// What a direction sees of the slopes: projected area N, mean and covariance.
 template <typename Real>
 struct VisibleSlopes {

@@ -392,6 +392,17 @@ SCREE_FUNCTION Real scree_g2(Real lambda_o, Real lambda_i)
     return LIT(1.0) / (LIT(1.0) + lambda_o + lambda_i);
 }
 
+/// Lambda as an asset was measured to have it, from Smith's: gain Lambda / (1 + bend Lambda).
+///
+/// lambda      Smith's, in [0, 1e6]
+/// gain, bend  >= 0; gain is the slope for views that hide little, gain / bend the limit at grazing
+/// returns     in [0, 1e6]
+SCREE_FUNCTION Real scree_corrected_exponent(Real lambda, Real gain, Real bend)
+{
+    Real e = max(lambda, LIT(0.0));
+    return min(gain * e / (LIT(1.0) + bend * e), LIT(1.0e6));
+}
+
 /// Mean and covariance of the visible slopes, and the projected area.
 ///
 ///   N = a Phi(z) + b phi(z)
@@ -616,6 +627,103 @@ SCREE_FUNCTION Real scree_color_by_slope(Real c, Real cs, Real ct, Real s, Real 
 {
     Real along = scree_central(cs, c, s) * wx + scree_central(ct, c, t) * wy;
     return max(c + along * pull, LIT(0.0));
+}
+
+// --- visibility tables --------------------------------------------------------------------------
+
+// What a set measured of its own height field: of a direction w, with v = E[V W] / cos theta (V 1
+// where w sees the surface, W the projected area of its facets), the moments
+//
+//   a = v - 1,   beta = E[c (v - 1)], one a channel
+//
+// at a few angles theta, the nodes, each as the mean over the azimuth and its harmonics. Straight
+// above both are 0: a node that is in no file. Light is told by the same numbers as view.
+
+/// What tables are interpolated along, linearly: tan theta, 0 straight above.
+///
+/// Where nothing is hidden v = 1 - tan(theta) (w's azimuth . mean slope), so that a and beta are
+/// linear in it.
+///
+/// z        cos theta; above 1 counts as 1, below 0.01 as 0.01: directions under the texture plane
+///          and those 0.6 degrees above it are alike
+/// returns  in [0, 99.995], a few roundings off; z = 1 - 6e-8, the next to 1 in single precision,
+///          gives 3.5e-4
+SCREE_FUNCTION Real scree_node_coordinate(Real z)
+{
+    Real c = min(max(z, LIT(0.01)), LIT(1.0));
+    return sqrt((LIT(1.0) - c) * (LIT(1.0) + c)) / c; // not 1 - c c: keeps digits near 1
+}
+
+/// Share of the farther of two neighbouring nodes, 1 minus that of the nearer.
+///
+/// z              cos theta of the direction
+/// z_near, z_far  cos theta of the nodes, z_near > z_far; z_near = 1 is straight above
+/// returns        in [0, 1], linear in the coordinate; beyond a node that node alone
+SCREE_FUNCTION Real scree_node_share(Real z, Real z_near, Real z_far)
+{
+    Real from = scree_node_coordinate(z_near);
+    Real apart = scree_node_coordinate(z_far) - from;
+    Real share = (scree_node_coordinate(z) - from) / max(apart, LIT(1.0e-6));
+    return min(max(share, LIT(0.0)), LIT(1.0));
+}
+
+/// Cosines and sines of once and twice the azimuth phi of (wx, wy), from +s towards +t.
+///
+/// c1, c2  cos phi, cos 2 phi;  s1, s2  sin phi, sin 2 phi; all 0 where the direction is upright
+///         (wx^2 + wy^2 below 1e-30)
+/// error   a few roundings, relative
+SCREE_FUNCTION void scree_azimuth_harmonics(Real wx, Real wy, OUT(Real, c1), OUT(Real, c2),
+                                            OUT(Real, s1), OUT(Real, s2))
+{
+    Real square = wx * wx + wy * wy;
+    Real per_length = square > LIT(1.0e-30) ? LIT(1.0) / sqrt(square) : LIT(0.0);
+    c1 = wx * per_length;
+    s1 = wy * per_length;
+    c2 = ((wx - wy) * per_length) * ((wx + wy) * per_length); // not c1 c1 - s1 s1: keeps digits
+    s2 = LIT(2.0) * c1 * s1;
+}
+
+/// E[V W]: area that a direction sees, projected, per area of the texture plane.
+///
+/// z        cos theta, 0 below the texture plane
+/// returns  v z >= 0; filters with negative lobes and few harmonics may take v = 1 + a below 0,
+///          which counts as 0
+SCREE_FUNCTION Real scree_visible_area(Real z, Real a)
+{
+    return max(LIT(1.0) + a, LIT(0.0)) * max(z, LIT(0.0));
+}
+
+/// Visible color by measured visibility: E[c v] / v, with v = 1 + a of at least 1/32,
+///
+///   max(c + (beta - a c) / max(v, 1/32), 0)
+///
+/// Where less than 1/32 is seen the mean color stands in for what is missing: with d = 1/32 this is
+/// (E[c v] + (d - v) c) / d. So it is continuous and finite for v = 0 and below, where harmonics
+/// and filters with negative lobes may take it, and a color that visibility does not depend on
+/// (beta = a c) is seen as it is, whatever a.
+///
+/// c        E[c];  beta, a  as above: all three filtered alike
+/// returns  at least 0
+/// error    in single precision 32 roundings of c at v = 1/32, those of a and beta as stored
+/// source   docs/filtering.md
+SCREE_FUNCTION Real scree_color_by_visibility(Real c, Real beta, Real a)
+{
+    return max(c + (beta - a * c) / max(LIT(1.0) + a, LIT(0.03125)), LIT(0.0));
+}
+
+/// Color of what is both seen and lit, from those of what is seen and of what is lit: the product
+/// c_view c_light / c, as if the two pulls on the color were independent.
+///
+/// c        E[c];  c_view, c_light  of scree_color_by_visibility, >= 0
+/// returns  >= 0, and the same with view and light exchanged; 0 where c is; at most four times the
+///          larger color, because next to c = 0 its rounding would show
+/// not modelled: what view and light hide together; a view along the light sees all that is lit
+SCREE_FUNCTION Real scree_color_seen_and_lit(Real c, Real c_view, Real c_light)
+{
+    Real more = max(c_view, c_light);
+    Real less = min(c_view, c_light);
+    Real ratio = less < LIT(4.0) * c ? less / c : LIT(4.0);
+    return c > LIT(0.0) ? max(more * ratio, LIT(0.0)) : LIT(0.0);
 }
 
 // --- reflection ---------------------------------------------------------------------------------

@@ -9,6 +9,9 @@ namespace scree::test {
 
 namespace {
 
+const double kPi = std::acos(-1.0);
+double degrees(double angle) { return angle * kPi / 180; }
+
 struct Direction {
     double x, y, z;
 };
@@ -64,6 +67,7 @@ public:
         set(kRawS, raw_s), set(kRawT, raw_t);
         set(kRawSs, c.ss + raw_s * raw_s), set(kRawSt, c.st + raw_s * raw_t);
         set(kRawTt, c.tt + raw_t * raw_t);
+        add_table(row);
         rows_.push_back(row);
         return rows_.back();
     }
@@ -72,12 +76,31 @@ public:
     std::vector<KernelCase> take() { return std::move(rows_); }
 
 private:
+    /// What a table may tell of the direction, and what it should not but may: no area or less than
+    /// none, black, a color that visibility does not touch.
+    void add_table(KernelCase& row)
+    {
+        static constexpr double kNodeDegrees[][2] = {{0, 30},  {30, 60}, {45, 72},  {60, 80},
+                                                     {80, 87}, {0, 87},  {87, 89.7}};
+        const size_t turn = rows_.size();
+        auto set = [&](int input, double value) { row.in[input] = static_cast<float>(value); };
+        const auto& nodes = kNodeDegrees[turn % std::size(kNodeDegrees)];
+        set(kNodeNear, std::cos(degrees(nodes[0]))), set(kNodeFar, std::cos(degrees(nodes[1])));
+        const double c = turn % 11 == 3 ? 0 : of_tables_.uniform(0, 0.9);
+        const double excess =
+            turn % 7 == 5 ? -1 - of_tables_.uniform(-0.04, 0.3) : of_tables_.uniform(-0.9, 1.5);
+        const double shift = turn % 5 == 1 ? 0 : of_tables_.uniform(-0.8, 0.8) * (c + 0.02);
+        set(kTableC, c), set(kA, excess);
+        set(kBeta, excess * c + shift * std::max(1 + excess, 0.02));
+        set(kLitC, turn % 13 == 4 ? 0 : (c + 0.01) * of_tables_.uniform(0, 6));
+        set(kGain, of_tables_.uniform(0.2, 3));
+        set(kBend, turn % 3 == 0 ? 0 : of_tables_.uniform(0, 2));
+    }
+
     Random random_;
+    Random of_tables_; ///< apart, so that the rest of a row does not depend on it
     std::vector<KernelCase> rows_;
 };
-
-const double kPi = std::acos(-1.0);
-double degrees(double angle) { return angle * kPi / 180; }
 
 void add_table_3(Table& table)
 {
@@ -221,7 +244,17 @@ const char* output_name(int output)
                                                 "projected area",
                                                 "slope along",
                                                 "steepness",
-                                                "steepness spread"};
+                                                "steepness spread",
+                                                "node coordinate",
+                                                "node share",
+                                                "cos phi",
+                                                "cos 2 phi",
+                                                "sin phi",
+                                                "sin 2 phi",
+                                                "visible area",
+                                                "color by visibility",
+                                                "color seen and lit",
+                                                "corrected exponent"};
     return names[output];
 }
 

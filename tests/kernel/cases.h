@@ -10,8 +10,9 @@ namespace scree::test {
 ///
 /// Directions are unit vectors away from the surface; mean, covariance and tau describe the slope;
 /// kRaw* are raw moments of the same covariance (up to rounding) about another mean, for
-/// scree_covariance; the rest is height and color. Numbers of float32, so that every language and
-/// the oracle start from the same ones. The order is that of the parameters of case_outputs().
+/// scree_covariance; then height and color; kNodeNear and what follows is what visibility tables
+/// and a corrected exponent need. Numbers of float32, so that every language and the oracle start
+/// from the same ones. The order is that of the parameters of case_outputs().
 enum Input : int {
     kWox,
     kWoy,
@@ -39,6 +40,14 @@ enum Input : int {
     kRawSs,
     kRawSt,
     kRawTt,
+    kNodeNear,
+    kNodeFar,
+    kTableC,
+    kBeta,
+    kA,
+    kLitC,
+    kGain,
+    kBend,
     kInputs
 };
 
@@ -71,6 +80,16 @@ enum Output : int {
     kAlong,
     kSteepness,
     kSteepnessSpread,
+    kNodeCoordinate,
+    kNodeShare,
+    kCos1,
+    kCos2,
+    kSin1,
+    kSin2,
+    kVisibleArea,
+    kByVisibility,
+    kSeenAndLit,
+    kCorrected,
     kOutputs
 };
 

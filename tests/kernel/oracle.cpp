@@ -223,6 +223,41 @@ Real color_by_slope(const KernelCase& row)
     return std::max<Real>(c + pull * (cov_s * g.wx + cov_t * g.wy), 0);
 }
 
+/// tan theta from its cosine, theta at most acos(0.01).
+template <typename Real>
+Real node_coordinate(const Real& cosine)
+{
+    const Real c = std::min<Real>(1, std::max<Real>(cosine, Real(1) / 100));
+    return sqrt(1 / (c * c) - 1);
+}
+
+/// Everything that concerns visibility tables.
+template <typename Real, typename Set>
+void set_table_outputs(const KernelCase& row, Set&& set)
+{
+    const auto& in = row.in;
+    const Real cosine = in[kWoz], x = node_coordinate<Real>(cosine);
+    const Real near = node_coordinate<Real>(in[kNodeNear]),
+               far = node_coordinate<Real>(in[kNodeFar]);
+    set(kNodeCoordinate, x);
+    set(kNodeShare, std::min<Real>(1, std::max<Real>(0, (x - near) / (far - near))));
+    if (in[kWox] != 0 || in[kWoy] != 0) {
+        const Real phi = atan2(Real(in[kWoy]), Real(in[kWox]));
+        set(kCos1, cos(phi)), set(kCos2, cos(2 * phi));
+        set(kSin1, sin(phi)), set(kSin2, sin(2 * phi));
+    }
+
+    const Real c = in[kTableC], beta = in[kBeta], v = 1 + Real(in[kA]), d = Real(1) / 32;
+    set(kVisibleArea, v > 0 && cosine > 0 ? Real(v * cosine) : Real(0));
+    const Real of_seen = c + beta; // E[c v]
+    const Real view =
+        std::max<Real>(0, v >= d ? Real(of_seen / v) : Real((of_seen + (d - v) * c) / d));
+    set(kByVisibility, view);
+    const Real light = in[kLitC];
+    set(kSeenAndLit,
+        c > 0 ? std::min<Real>(view * light / c, 4 * std::max<Real>(view, light)) : Real(0));
+}
+
 template <typename Real>
 Outputs<double> oracle_in(const KernelCase& row)
 {
@@ -285,6 +320,7 @@ Outputs<double> oracle_in(const KernelCase& row)
     set(kAlong, sqrt((9 * g.css + 24 * g.cst + 16 * g.ctt) / 25));
     set(kSteepness, sqrt(g.ms * g.ms + g.mt * g.mt));
     set(kSteepnessSpread, sqrt((g.css + g.ctt) / 2));
+    set_table_outputs<Real>(row, set);
     take_exponent(row, out[kLambda], out);
     return out;
 }
@@ -361,6 +397,9 @@ void take_exponent(const KernelCase& row, double exponent, Outputs<double>& outp
     const double y = std::sqrt(unit(sigma * std::sqrt(seen.variance) / 2));
     outputs[kMapU] = (x * 255 + 0.5) / 256;
     outputs[kMapV] = (y * 31 + 0.5) / 32;
+
+    outputs[kCorrected] =
+        std::min(1e6, row.in[kGain] / (1 / exponent + static_cast<double>(row.in[kBend])));
 }
 
 FacingMoments gaussian_facing_moments(const KernelCase& row, double spread, double from_s,

@@ -302,7 +302,25 @@ const Tolerance kTolerances[] = {
     {kAlong, 3e-7, 1e-15},   // relative
     {kSteepness, 2e-7, 4e-16},
     {kSteepnessSpread, 2e-7, 4e-16},
+    {kNodeCoordinate, 3e-7, 6e-16}, // relative
+    {kNodeShare, 4e-7, 8e-16},      // of 1: rounding of coordinates up to 100, 80 apart
+    {kCos1, 2e-7, 4e-16},           // relative
+    {kCos2, 4e-7, 8e-16},
+    {kSin1, 2e-7, 4e-16},
+    {kSin2, 4e-7, 8e-16},
+    {kVisibleArea, 2e-7, 4e-16},
+    {kByVisibility, 4e-7, 8e-16}, // of the terms it is the sum of
+    {kSeenAndLit, 6e-7, 1.2e-15}, // likewise
+    {kCorrected, 2e-7, 6e-16},    // relative
 };
+
+/// Largest term of the visible color by tables.
+double table_unit(const KernelCase& row, const Outputs<double>& want)
+{
+    const double c = at(row, kTableC), a = at(row, kA), v = std::max(1 + a, 1.0 / 32);
+    return std::max(
+        {at(want, kByVisibility), c, std::abs(at(row, kBeta)) / v, std::abs(a * c) / v});
+}
 
 double unit_of(int output, const KernelCase& row, const Outputs<double>& want)
 {
@@ -327,6 +345,19 @@ double unit_of(int output, const KernelCase& row, const Outputs<double>& want)
     case kMapV:
     case kAngle:
         return 1;
+    case kNodeShare:
+        return 1;
+    case kCos1:
+    case kCos2:
+    case kSin1:
+    case kSin2:
+        return std::abs(at(want, output)) + 1e-80; // the oracle's own rounding: 1e-100
+    case kByVisibility:
+        return table_unit(row, want);
+    case kSeenAndLit: // at most 4 c of each, so this is what an error of the visible color becomes
+        return std::max(at(want, output),
+                        table_unit(row, want) *
+                            std::min(4.0, at(row, kLitC) / std::max(at(row, kTableC), 1e-30)));
     case kSpecular:
         return at(want, output) * (1 + std::abs(std::log(at(want, output))));
     default:
@@ -419,14 +450,14 @@ TEST(KernelOutputs, AreTheOraclesInSinglePrecision)
 {
     expect_the_oracle<float>(kRawCss, kRawCtt);
     expect_the_oracle<float>(kHeightMean, kSpecular);
-    expect_the_oracle<float>(kAlong, kSteepnessSpread);
+    expect_the_oracle<float>(kAlong, kCorrected);
 }
 
 TEST(KernelOutputs, AreTheOraclesInDoublePrecision)
 {
     expect_the_oracle<double>(kRawCss, kRawCtt);
     expect_the_oracle<double>(kHeightMean, kSpecular);
-    expect_the_oracle<double>(kAlong, kSteepnessSpread);
+    expect_the_oracle<double>(kAlong, kCorrected);
 }
 
 // What the coarser tolerance of the variances in double stands for: nothing but the raise.

@@ -31,6 +31,10 @@ double scale(const KernelCase& row, const Outputs<float>& want, int output)
     case kRawCst:
     case kRawCtt:
         return out(kRawCss) + out(kRawCtt);
+    case kByVisibility:
+        return std::max(itself, in(kTableC)); // a difference may be all but black
+    case kSeenAndLit:
+        return std::max(itself, in(kLitC));
     case kDiffuse:
         return std::max(itself, 1e-6); // a reflectance: less is black
     default:

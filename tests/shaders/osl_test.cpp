@@ -20,7 +20,7 @@ using Imath::V3f;
 TEST_F(Osl, KernelAgreesWithCppOnTheWholeTable)
 {
     const auto cases = kernel_cases();
-    Image table{8, static_cast<int>(cases.size()), {"R", "G", "B", "A"}, {}};
+    Image table{10, static_cast<int>(cases.size()), {"R", "G", "B", "A"}, {}};
     for (const KernelCase& row : cases)
         table.pixels.insert(table.pixels.end(), row.in.begin(), row.in.end());
     write_image(temp_ / "cases.exr", table);
@@ -28,7 +28,7 @@ TEST_F(Osl, KernelAgreesWithCppOnTheWholeTable)
 
     std::vector<std::string> arguments = {"-g",      "1",    std::to_string(cases.size()),
                                           "--param", "file", "cases.exr"};
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0; i < 13; ++i)
         for (const std::string& word :
              {std::string("-o"), "o" + std::to_string(i), "o" + std::to_string(i) + ".exr"})
             arguments.push_back(word);
