@@ -13,15 +13,16 @@
 #include <random>
 #include <vector>
 
+#include "bench/per_footprint.h"
 #include "kernel/filter.h"
 #include "kernel/published.h"
 
 namespace {
 
+using scree::bench::kCount;
+using scree::bench::per_footprint;
 using scree::test::Form;
 using scree::test::PublishedResult;
-
-constexpr int kCount = 1024;
 
 /// Sigma 0.1 to 0.6, any correlation, views from 3 to 89 degrees, mean slopes to 0.5.
 struct Footprints {
@@ -68,13 +69,6 @@ const Footprints& footprints()
 {
     static const Footprints all;
     return all;
-}
-
-void per_footprint(benchmark::State& state)
-{
-    state.counters["per_footprint"] =
-        benchmark::Counter(static_cast<double>(state.iterations()) * kCount,
-                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 template <typename Real>
