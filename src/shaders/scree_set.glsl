@@ -27,6 +27,7 @@
 // Every channel but rank and tail is a linear moment (what blending costs the rank table is in
 // docs/statistics.md): any filter will do, one lookup a texture, anisotropic at best.
 // Not so the table of a color map, NAME.map.exr (R G B): one level, GL_LINEAR, GL_CLAMP_TO_EDGE.
+// How visibility tables are read is in scree_visible.glsl.
 //
 // Frame: x along +s (right), y along +t (DOWN the image), z out of the surface; directions are unit
 // vectors away from the surface. Textures are uploaded row 0 first, so row 0 is t = 0. A renderer

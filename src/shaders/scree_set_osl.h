@@ -186,24 +186,93 @@ color scree_slope_color(string folder, string name, float s, float t, float heig
     return result;
 }
 
+// beta of NAME.visible.exr, E[c (v - 1)], and a = v - 1, of a direction w in the frame of the set: to
+// the viewer or to a light. The file's channels follow each other as A B G R of the first node's
+// mean over the azimuth, of its harmonics c1 [c2] s1 [s2], of the second node, and so on.
+color scree_visibility(string folder, string name, float s, float t, vector w, output float a)
+{
+    string file = scree_file(folder, name, "visible");
+    string cosine[6] = {"scree:nodeCosine1", "scree:nodeCosine2", "scree:nodeCosine3",
+                        "scree:nodeCosine4", "scree:nodeCosine5", "scree:nodeCosine6"};
+    int nodes = 0, harmonics = 0, outer = 0;
+    float z_inner = 1, z_outer = 0;
+    if (!gettextureinfo(file, "scree:nodes", nodes) ||
+        !gettextureinfo(file, "scree:harmonics", harmonics) ||
+        !gettextureinfo(file, cosine[0], z_outer))
+        error("%s: no visibility tables; bake the set with this map, or mend folder and name",
+              file);
+    while (outer + 1 < min(nodes, 6) && w[2] < z_outer) {
+        ++outer;
+        z_inner = z_outer;
+        gettextureinfo(file, cosine[outer], z_outer);
+    }
+    float share = scree_node_share(w[2], z_inner, z_outer);
+    float c1 = 0, c2 = 0, s1 = 0, s2 = 0;
+    scree_azimuth_harmonics(w[0], w[1], c1, c2, s1, s2);
+    float azimuth[5] = {1, c1, s1, 0, 0};
+    if (harmonics == 2) {
+        azimuth[2] = c2;
+        azimuth[3] = s1;
+        azimuth[4] = s2;
+    }
+    int components = 1 + 2 * harmonics;
+    a = 0;
+    color beta = 0;
+    for (int j = 0; j < components; ++j) {
+        int first = 4 * (components * outer + j);
+        float red = 0;
+        color abg = scree_lookup(file, s, t, first, red);
+        float weight = azimuth[j] * share;
+        a += weight * abg[0];
+        beta += weight * color(red, abg[2], abg[1]);
+        if (outer > 0) { // before the first node is straight above, where both are 0
+            abg = scree_lookup(file, s, t, first - 4 * components, red);
+            weight = azimuth[j] * (1 - share);
+            a += weight * abg[0];
+            beta += weight * color(red, abg[2], abg[1]);
+        }
+    }
+    return beta;
+}
+
+// Color by visibility tables: what the view sees, or what the light lights. c: mean color.
+color scree_table_color(string folder, string name, float s, float t, vector w, color c)
+{
+    float a = 0;
+    color beta = scree_visibility(folder, name, s, t, w, a);
+    return color(scree_color_by_visibility(c[0], beta[0], a),
+                 scree_color_by_visibility(c[1], beta[1], a),
+                 scree_color_by_visibility(c[2], beta[2], a));
+}
+
+// Color of what is both seen and lit. seen, lit: scree_table_color of view and light.
+color scree_table_color_lit(color c, color seen, color lit)
+{
+    return color(scree_color_seen_and_lit(c[0], seen[0], lit[0]),
+                 scree_color_seen_and_lit(c[1], seen[1], lit[1]),
+                 scree_color_seen_and_lit(c[2], seen[2], lit[2]));
+}
+
 // Visible color of a set for a view w in its frame.
 //
 // color_model     0 mean color; 1 linear in height (colorheight); 2 by height rank (rank); 3 the
-//                 color map the set was colored with (map)
-// slope_color     1 adds the correlation with slope (colorslope); a color map by slope sees the
-//                 slope already and leaves it out
-// height_scale    scales slopes. Ranks of heights know no scale, and a color map by height keeps
-//                 the colors of the heights as baked
+//                 color map the set was colored with (map); 4 visibility tables (visible)
+// slope_color     1 adds the correlation with slope (colorslope); a color map by slope and
+//                 visibility tables see the slope already and leave it out
+// height_scale    scales slopes. Ranks of heights know no scale, a color map by height keeps the
+//                 colors of the heights as baked, and tables the visibility as baked
 // light_exponent  Lambda of the light, added to the view's, for what is both seen and lit; 0 else
+// light           to the light, in the frame, for what is both seen and lit by visibility tables,
+//                 which need no exponent; 0 else
 color scree_visible_color(string folder, string name, float s, float t, float height_scale,
                           vector w, ScreeFootprint f, int color_model, int slope_color,
-                          float light_exponent)
+                          float light_exponent, vector light)
 {
     float exponent = 0, g1 = 0, unused = 0;
     scree_masking(w[0], w[1], w[2], f.s, f.t, f.css, f.cst, f.ctt, f.tau, exponent, g1);
     exponent += light_exponent;
     string by = color_model == 3 ? scree_map_by(folder, name) : "";
-    int add_slope = slope_color && (color_model != 3 || by == "height");
+    int add_slope = slope_color && color_model != 4 && (color_model != 3 || by == "height");
     color c = 0;
     if (color_model != 3 || add_slope)
         c = scree_lookup(scree_file(folder, name, "color"), s, t, 0, unused);
@@ -214,6 +283,11 @@ color scree_visible_color(string folder, string name, float s, float t, float he
         result = scree_rank_color(folder, name, s, t, c, exponent);
     else if (color_model == 3)
         result = scree_map_color(folder, name, s, t, w, f, exponent, by);
+    else if (color_model == 4)
+        result = scree_table_color(folder, name, s, t, w, c);
+    if (color_model == 4 && dot(light, light) > 0)
+        result =
+            scree_table_color_lit(c, result, scree_table_color(folder, name, s, t, light, c));
     if (add_slope)
         result = max(color(0),
                      result - c + scree_slope_color(folder, name, s, t, height_scale, w, f, c));

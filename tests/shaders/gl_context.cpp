@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <regex>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -41,12 +40,12 @@ std::string explained(const std::string& log, const std::string& source)
     return text;
 }
 
-void use_filter(const GlFunctions& gl, GlFilter filter)
+void use_filter(const GlFunctions& gl, GLenum target, GlFilter filter)
 {
     const bool nearest = filter == GlFilter::nearest;
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+    gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER,
                      nearest ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
+    gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
 }
 
 } // namespace
@@ -182,7 +181,7 @@ GLuint GlContext::texture(const std::vector<Image>& levels, GlFilter filter, GLi
     GLuint texture = 0;
     gl_.GenTextures(1, &texture);
     gl_.BindTexture(GL_TEXTURE_2D, texture);
-    use_filter(gl_, filter);
+    use_filter(gl_, GL_TEXTURE_2D, filter);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.size()) - 1);
@@ -193,18 +192,45 @@ GLuint GlContext::texture(const std::vector<Image>& levels, GlFilter filter, GLi
     return texture;
 }
 
+GLuint GlContext::texture_array(const std::vector<std::vector<Image>>& levels, GlFilter filter)
+{
+    GLuint texture = 0;
+    gl_.GenTextures(1, &texture);
+    arrays_.insert(texture);
+    gl_.BindTexture(GL_TEXTURE_2D_ARRAY, texture);
+    use_filter(gl_, GL_TEXTURE_2D_ARRAY, filter);
+    gl_.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL,
+                      static_cast<GLint>(levels.size()) - 1);
+    for (size_t level = 0; level < levels.size(); ++level) {
+        const Image& first = levels[level].at(0);
+        std::vector<float> pixels;
+        for (const Image& layer : levels[level])
+            pixels.insert(pixels.end(), layer.pixels.begin(), layer.pixels.end());
+        gl_.TexImage3D(GL_TEXTURE_2D_ARRAY, static_cast<GLint>(level), GL_RGBA32F, first.width,
+                       first.height, static_cast<GLsizei>(levels[level].size()), 0, GL_RGBA,
+                       GL_FLOAT, pixels.data());
+    }
+    expect_no_error("making an array of textures");
+    return texture;
+}
+
+GLenum GlContext::target(GLuint texture) const
+{
+    return arrays_.count(texture) > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+}
+
 void GlContext::show_level(GLuint texture, int level)
 {
-    gl_.BindTexture(GL_TEXTURE_2D, texture);
-    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, level);
-    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level);
+    gl_.BindTexture(target(texture), texture);
+    gl_.TexParameteri(target(texture), GL_TEXTURE_BASE_LEVEL, level);
+    gl_.TexParameteri(target(texture), GL_TEXTURE_MAX_LEVEL, level);
 }
 
 void GlContext::bind(GLuint program, const std::vector<std::pair<std::string, GLuint>>& textures)
 {
     for (size_t unit = 0; unit < textures.size(); ++unit) {
         gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        gl_.BindTexture(GL_TEXTURE_2D, textures[unit].second);
+        gl_.BindTexture(target(textures[unit].second), textures[unit].second);
         set(program, textures[unit].first, static_cast<int>(unit));
     }
 }
@@ -256,7 +282,7 @@ Image GlContext::draw(GLuint program, int width, int height)
     gl_.GenTextures(1, &target);
     gl_.BindTexture(GL_TEXTURE_2D, target);
     gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
-    use_filter(gl_, GlFilter::nearest);
+    use_filter(gl_, GL_TEXTURE_2D, GlFilter::nearest);
     gl_.GenFramebuffers(1, &frame);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, frame);
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);

@@ -5,6 +5,7 @@
 #include <GLES3/gl3.h> // types and constants; the desktop has the same ones
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ public:
     /// A float texture of four channels; levels[0] is the finest.
     GLuint texture(const std::vector<Image>& levels, GlFilter filter, GLint wrap = GL_REPEAT);
 
+    /// An array of such textures, levels[level][layer].
+    GLuint texture_array(const std::vector<std::vector<Image>>& levels, GlFilter filter);
+
     /// Only this level of the texture from now on.
     void show_level(GLuint texture, int level);
 
@@ -64,12 +68,14 @@ private:
     GlContext(GlApi api, void* display, void* context);
     GLuint stage(GLenum kind, const std::vector<std::string>& files);
     GLint location(GLuint program, const std::string& name);
+    GLenum target(GLuint texture) const;
     void expect_no_error(const char* doing);
 
     GlApi api_;
     void* display_;
     void* context_;
     GlFunctions gl_;
+    std::set<GLuint> arrays_; ///< of the textures, those that are arrays
 };
 
 } // namespace scree::test

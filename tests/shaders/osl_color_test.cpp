@@ -30,9 +30,11 @@ protected:
             "-g {0} {0} --param folder set --param name {1} --param:type=vector view {2},{3},{4} "
             "--param color_model {5} --param slope_color {6} "
             "--param:type=float light_exponent {7} --param:type=float height_scale {8} "
+            "--param:type=vector light {9},{10},{11} "
             "-o visible_color color.exr scree_raw",
             kSize >> level, name, view.x, view.y, view.z, look.color_model,
-            look.slope_color ? 1 : 0, look.light_exponent, look.height_scale)));
+            look.slope_color ? 1 : 0, look.light_exponent, look.height_scale, look.light.x,
+            look.light.y, look.light.z)));
     }
 
     /// Compares levels and views of a set; returns the largest difference.
@@ -98,6 +100,25 @@ TEST_F(OslColor, OfAColorMapIsThatOfTheCppFront)
     }
 }
 
+// Tables for two nodes, for five, one harmonic and two, without and with a light.
+TEST_F(OslColor, ByVisibilityTablesIsThatOfTheCppFront)
+{
+    compile("src/shaders/scree_raw.osl");
+    bake_sample_into(temp_ / "set", "bricks", kSize, kSize);
+    const std::vector<float> cosines[] = {{0.45F}, {0.8F, 0.3F}, {0.9F, 0.75F, 0.5F, 0.3F, 0.15F}};
+    int harmonics = 0;
+    for (const auto& nodes : cosines) {
+        write_visible_tables(temp_ / "set/test.visible.exr",
+                             random_visible_tables(kSize, kSize, nodes, harmonics));
+        ColorLook look{4, true}; // the slope has no say
+        const std::string key = fmt::format("worst {} nodes {} harmonics", nodes.size(), harmonics);
+        RecordProperty(key, fmt::format("{:.1e}", worst_difference("test", look)));
+        look.light = V3f(0.3F, 0.5F, 0.4F).normalized();
+        RecordProperty(key + " lit", fmt::format("{:.1e}", worst_difference("test", look)));
+        ++harmonics;
+    }
+}
+
 TEST_F(OslColor, ByRankTakesAsManyTermsAsTheFileHas)
 {
     compile("src/shaders/scree_raw.osl");
@@ -148,7 +169,8 @@ TEST_F(OslColor, AMissingMapIsNamed)
     bake_sample_into(temp_ / "set", "bricks", kSize, kSize);
     for (const char* map : {"rank", "colorheight", "colorslope"})
         std::filesystem::remove(temp_ / "set" / fmt::format("test.{}.exr", map));
-    const std::pair<ColorLook, const char*> cases[] = {{{1, false}, "test.colorheight.exr"},
+    const std::pair<ColorLook, const char*> cases[] = {{{4, false}, "test.visible.exr"},
+                                                       {{1, false}, "test.colorheight.exr"},
                                                        {{2, false}, "test.rank.exr"},
                                                        {{3, false}, "test.map.exr"},
                                                        {{0, true}, "test.colorslope.exr"}};

@@ -188,15 +188,58 @@ TEST_F(Rendered, SurfaceShaderShowsHighPartsAtGrazingAngles)
     EXPECT_GT(coated[1], mean[1] + 0.02F) << "the coat reflects the sky";
 }
 
+/// Tables of the random set that are the same everywhere: red shows more, blue less, from node
+/// straight above to a node at 78 degrees.
+VisibleTables tables_of_red_and_blue()
+{
+    VisibleTables tables = random_visible_tables(64, 64, {0.2F}, 0);
+    for (Image& level : tables.levels)
+        for (size_t i = 0; i < level.pixels.size(); i += 4) {
+            const float abgr[4] = {0.0F, -0.1F, 0.0F, 0.1F};
+            std::copy(std::begin(abgr), std::end(abgr),
+                      level.pixels.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    return tables;
+}
+
+// The viewer is 15 degrees above the plane: tan 75 / tan 78.5 of the way to the node.
+TEST_F(Rendered, SurfaceShaderShowsWhatVisibilityTablesTellOfViewAndLight)
+{
+    write_image(temp_ / "h.exr", random_image(64, 64, {"Y"}, 42));
+    Image color{64, 64, {"R", "G", "B"}, {}};
+    color.pixels.assign(64 * 64 * 3, 0.3F);
+    write_image(temp_ / "c.exr", color);
+    bake_files(temp_);
+    write_visible_tables(temp_ / "set/rough.visible.exr", tables_of_red_and_blue());
+    compile("src/shaders/scree_surface.osl");
+    compile("tests/shaders/sky.osl");
+
+    const float shift = 0.1F * std::tan(1.3090F) / std::tan(std::acos(0.2F));
+    const V3f seen = render("int color_model 4; float eta 0;");
+    const V3f above = render("int color_model 4; float eta 0; vector light 0 0 2;");
+    const V3f low = render("int color_model 4; float eta 0; vector light 4 -3 0.5;");
+    const float darkest = 0.3F - 0.1F, brightest = 0.3F + 0.1F; // the light is beyond the node
+    // 2 %: sampling of 32 x 16 x 36 paths.
+    for (const V3f& got : {seen, above}) {
+        EXPECT_NEAR(got[0], 0.3F + shift, 0.008F);
+        EXPECT_NEAR(got[1], 0.3F, 0.006F);
+        EXPECT_NEAR(got[2], 0.3F - shift, 0.005F);
+    }
+    EXPECT_NEAR(low[0], (0.3F + shift) * brightest / 0.3F, 0.01F);
+    EXPECT_NEAR(low[2], (0.3F - shift) * darkest / 0.3F, 0.004F);
+}
+
 TEST_F(Osl, TheExampleOfTheDocsCompilesAndRuns)
 {
     bake_sample_into(temp_ / "set", "fractal", 64, 64, MapBy::height); // every map there is
+    write_visible_tables(temp_ / "set/test.visible.exr",
+                         random_visible_tables(64, 64, {0.7F, 0.3F}, 1));
     std::ofstream(temp_ / "my_surface.osl") << doc_example("c");
     const RunResult compiled =
         run(temp_.path(), {tools_.oslc.string(), "-I" SCREE_SOURCE "/src",
                            "-I" SCREE_SOURCE "/src/shaders", "my_surface.osl"});
     ASSERT_EQ(compiled.status, 0) << compiled.said;
-    for (const char* color_model : {"0", "1", "2", "3"}) {
+    for (const char* color_model : {"0", "1", "2", "3", "4"}) {
         const RunResult result =
             shade({"-g", "2", "2", "--param", "folder", "set", "--param", "name", "test", "--param",
                    "color_model", color_model, "-o", "Ci", "null", "my_surface"});

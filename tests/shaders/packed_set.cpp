@@ -52,4 +52,23 @@ PackedSet pack(const SampleSet& set)
     return out;
 }
 
+std::vector<std::vector<Image>> pack(const VisibleTables& tables)
+{
+    std::vector<std::vector<Image>> out(tables.levels.size());
+    for (int node = 1; node <= static_cast<int>(tables.cosines.size()); ++node) {
+        std::vector<std::string> components = {std::to_string(node)};
+        for (const char kind : {'c', 's'})
+            for (int h = 1; h <= tables.harmonics; ++h)
+                components.push_back(components[0] + kind + std::to_string(h));
+        for (const std::string& component : components) {
+            const auto layers = packed(
+                {From{&tables.levels, component + "R"}, From{&tables.levels, component + "G"},
+                 From{&tables.levels, component + "B"}, From{&tables.levels, component + "A"}});
+            for (size_t level = 0; level < layers.size(); ++level)
+                out[level].push_back(layers[level]);
+        }
+    }
+    return out;
+}
+
 } // namespace scree::test

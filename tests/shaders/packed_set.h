@@ -15,4 +15,7 @@ struct PackedSet {
 
 PackedSet pack(const SampleSet& set);
 
+/// The array texture of src/shaders/scree_visible.glsl, levels[level][layer].
+std::vector<std::vector<Image>> pack(const VisibleTables& tables);
+
 } // namespace scree::test

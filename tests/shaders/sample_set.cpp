@@ -61,6 +61,19 @@ V2f map_coordinates(const SampleSet& set, const filter::VisibleSlopes<float>& se
     return filter::color_map_coordinates(slope.mean, slope.deviation, set.map_table);
 }
 
+/// By visibility tables.
+V3f table_color(const SampleSet& set, size_t level, int x, int y, const V3f& view,
+                const ColorLook& look)
+{
+    const V3f c = rgb(set.color[level], x, y);
+    const std::vector<float> values = set.visible.values(level, x, y);
+    const auto table = set.visible.table(values);
+    const V3f seen = filter::visible_color(c, table, view);
+    if (look.light == V3f(0))
+        return seen;
+    return filter::color_seen_and_lit(c, seen, filter::visible_color(c, table, look.light));
+}
+
 } // namespace
 
 SampleSet read_set(const std::filesystem::path& folder)
@@ -79,6 +92,9 @@ SampleSet read_set(const std::filesystem::path& folder)
     set.colorslope = levels("colorslope");
     set.rank = levels("rank");
     set.tail = levels("tail");
+    const auto visible = folder / (manifest.name + ".visible.exr");
+    if (std::filesystem::exists(visible))
+        set.visible = read_visible_tables(visible);
     if (!manifest.color_map)
         return set;
     set.map = levels("map").at(0);
@@ -175,7 +191,10 @@ V3f visible_color(const SampleSet& set, size_t level, int x, int y, const V3f& v
     if (look.color_model == 3)
         result = bilinear(
             set.map, map_coordinates(set, filter::visible_slopes(view, slopes), h, hh, exponent));
-    if (look.slope_color && (look.color_model != 3 || set.map_by == "height")) {
+    if (look.color_model == 4)
+        result = table_color(set, level, x, y, view, look);
+    if (look.slope_color && look.color_model != 4 &&
+        (look.color_model != 3 || set.map_by == "height")) {
         const auto along = [&](const char* r, const char* g, const char* b) {
             const Image& map = set.colorslope[level];
             return V3f(value(map, x, y, r), value(map, x, y, g), value(map, x, y, b)) *

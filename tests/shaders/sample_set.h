@@ -9,6 +9,7 @@
 
 #include "kernel/filter.h"
 #include "pipeline/options.h"
+#include "shaders/visible_tables.h"
 #include "support/files.h"
 
 namespace scree::test {
@@ -22,6 +23,7 @@ struct SampleSet {
     filter::ColorMapTable<float> map_table; ///< as the manifest has it
     std::string map_by;                     ///< likewise
     float map_azimuth_rad = 0;
+    VisibleTables visible; ///< no levels where the set has none
 };
 
 /// Any set with height and color.
@@ -49,10 +51,12 @@ filter::Slopes<float> slopes_of(const SampleSet& set, size_t level, int x, int y
 
 /// How scree_visible_color() in OSL tells the color, its parameters.
 struct ColorLook {
-    int color_model = 1; ///< 0 mean color, 1 linear in height, 2 height rank, 3 color map
+    int color_model = 1; ///< 0 mean color, 1 linear in height, 2 height rank, 3 color map, 4
+                         ///< visibility tables
     bool slope_color = false;
     float light_exponent = 0;
     float height_scale = 1;
+    Imath::V3f light{0, 0, 0}; ///< unit, of visibility tables; 0 leaves it out
 };
 
 /// What the kernel's C++ front makes of a texel; channels are read by their names.

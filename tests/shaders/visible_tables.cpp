@@ -1,0 +1,107 @@
+#include "shaders/visible_tables.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/random_image.h"
+
+namespace scree::test {
+
+std::vector<float> VisibleTables::values(size_t level, int x, int y) const
+{
+    const Image& image = levels.at(level);
+    std::vector<float> out;
+    for (const std::string& name : visible_channels(static_cast<int>(cosines.size()), harmonics)) {
+        const auto at = std::find(image.channels.begin(), image.channels.end(), name);
+        EXPECT_NE(at, image.channels.end()) << "no channel " << name;
+        out.push_back(image.at(x, y, static_cast<int>(at - image.channels.begin())));
+    }
+    return out;
+}
+
+filter::VisibilityTable<float> VisibleTables::table(const std::vector<float>& values) const
+{
+    return {values.data(), cosines.data(), static_cast<int>(cosines.size()), harmonics};
+}
+
+std::vector<std::string> visible_channels(int nodes, int harmonics)
+{
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& component) {
+        for (const char channel : {'A', 'B', 'G', 'R'})
+            names.push_back(component + channel);
+    };
+    for (int node = 1; node <= nodes; ++node) {
+        add(std::to_string(node));
+        for (const char kind : {'c', 's'})
+            for (int h = 1; h <= harmonics; ++h)
+                add(fmt::format("{}{}{}", node, kind, h));
+    }
+    return names;
+}
+
+VisibleTables random_visible_tables(int width, int height, const std::vector<float>& cosines,
+                                    int harmonics)
+{
+    VisibleTables tables{cosines, harmonics, {}};
+    const auto channels = visible_channels(static_cast<int>(cosines.size()), harmonics);
+    for (unsigned seed = 71;; ++seed) {
+        Image level = random_image(width, height, channels, seed);
+        for (size_t i = 0; i < level.pixels.size(); ++i) {
+            const bool mean = channels[i % channels.size()].size() == 2;
+            level.pixels[i] = (level.pixels[i] - 0.5F) * (mean ? 0.6F : 0.2F);
+        }
+        tables.levels.push_back(std::move(level));
+        if (width == 1 && height == 1)
+            return tables;
+        width = std::max(width / 2, 1);
+        height = std::max(height / 2, 1);
+    }
+}
+
+void write_visible_tables(const std::filesystem::path& file, const VisibleTables& tables)
+{
+    auto out = OIIO::ImageOutput::create(file.string());
+    ASSERT_TRUE(out) << file << ": " << OIIO::geterror();
+    for (size_t l = 0; l < tables.levels.size(); ++l) {
+        const Image& level = tables.levels[l];
+        OIIO::ImageSpec spec(level.width, level.height, static_cast<int>(level.channels.size()),
+                             OIIO::TypeDesc::FLOAT);
+        spec.channelnames = level.channels;
+        spec.tile_width = spec.tile_height = 64;
+        spec.attribute("textureformat", "Plain Texture"); // else OpenImageIO writes no levels
+        spec.attribute("wrapmodes", "periodic,periodic");
+        spec.attribute("scree:nodes", static_cast<int>(tables.cosines.size()));
+        spec.attribute("scree:harmonics", tables.harmonics);
+        for (size_t k = 0; k < tables.cosines.size(); ++k)
+            spec.attribute(fmt::format("scree:nodeCosine{}", k + 1), tables.cosines[k]);
+        ASSERT_TRUE(
+            out->open(file.string(), spec,
+                      l == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel))
+            << out->geterror();
+        ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, level.pixels.data()))
+            << out->geterror();
+    }
+    ASSERT_TRUE(out->close()) << out->geterror();
+}
+
+VisibleTables read_visible_tables(const std::filesystem::path& file)
+{
+    VisibleTables tables;
+    tables.levels = read_levels(file);
+    const auto in = OIIO::ImageInput::open(file.string());
+    if (!in) {
+        ADD_FAILURE() << file << ": " << OIIO::geterror();
+        return tables;
+    }
+    tables.harmonics = in->spec().get_int_attribute("scree:harmonics", -1);
+    for (int k = 1; k <= in->spec().get_int_attribute("scree:nodes"); ++k)
+        tables.cosines.push_back(
+            in->spec().get_float_attribute(fmt::format("scree:nodeCosine{}", k)));
+    return tables;
+}
+
+} // namespace scree::test
