@@ -95,7 +95,9 @@ Real g2(const Masking<Real>& view, const Masking<Real>& light)
     return kernel::scree_g2(view.lambda, light.lambda);
 }
 
-/// Lambda corrected by what was measured of the asset; gain, bend >= 0, in the manifest.
+/// Lambda corrected by what was measured of the asset.
+///
+/// gain, bend  >= 0
 template <typename Real>
 Real corrected_exponent(Real lambda, Real gain, Real bend)
 {

@@ -42,14 +42,14 @@ struct Tables {
             colors.emplace_back(uniform(0.1, 0.9), uniform(0.1, 0.9), uniform(0.1, 0.9));
             views.push_back(direction());
             lights.push_back(direction());
-            for (int n = 0; n < stride(); ++n)
+            for (size_t n = 0; n < stride(); ++n)
                 values.push_back(uniform(-0.2, 0.3));
         }
     }
 
-    int stride() const { return 4 * kNodes * (1 + 2 * harmonics); }
+    size_t stride() const { return 4 * kNodes * (1 + 2 * static_cast<size_t>(harmonics)); }
 
-    scree::filter::VisibilityTable<float> at(int i) const
+    scree::filter::VisibilityTable<float> at(size_t i) const
     {
         return {values.data() + i * stride(), cosines, kNodes, harmonics};
     }
@@ -65,10 +65,8 @@ void visible_color(benchmark::State& state)
 {
     const Tables tables(static_cast<int>(state.range(0)));
     for (auto _ : state)
-        for (int i = 0; i < kCount; ++i) {
-            const auto n = static_cast<size_t>(i);
-            benchmark::DoNotOptimize(seen(tables.colors[n], tables.at(i), tables.views[n]));
-        }
+        for (size_t i = 0; i < kCount; ++i)
+            benchmark::DoNotOptimize(seen(tables.colors[i], tables.at(i), tables.views[i]));
     scree::bench::per_footprint(state);
 }
 
@@ -85,11 +83,9 @@ void color_seen_and_lit(benchmark::State& state)
 {
     const Tables tables(static_cast<int>(state.range(0)));
     for (auto _ : state)
-        for (int i = 0; i < kCount; ++i) {
-            const auto n = static_cast<size_t>(i);
+        for (size_t i = 0; i < kCount; ++i)
             benchmark::DoNotOptimize(
-                seen_and_lit(tables.colors[n], tables.at(i), tables.views[n], tables.lights[n]));
-        }
+                seen_and_lit(tables.colors[i], tables.at(i), tables.views[i], tables.lights[i]));
     scree::bench::per_footprint(state);
 }
 

@@ -32,7 +32,8 @@ for recipe in "$prefix"/share/scree/configs/*.toml; do
         --color sample/plane.color.exr --texel-size 1 -o out --quiet
 done
 
-for shader in scree_surface.osl scree_raw.osl scree_set_osl.h scree_set.glsl scree_plane.frag; do
+for shader in scree_surface.osl scree_raw.osl scree_set_osl.h scree_set.glsl scree_visible.glsl \
+              scree_plane.frag; do
     [ -f "$prefix/share/scree/shaders/$shader" ] || fail "the shader $shader is not installed"
 done
 if [ -x "${OSL_ROOT:-}/bin/oslc" ]; then

@@ -83,7 +83,9 @@ private:
         static constexpr double kNodeDegrees[][2] = {{0, 30},  {30, 60}, {45, 72},  {60, 80},
                                                      {80, 87}, {0, 87},  {87, 89.7}};
         const size_t turn = rows_.size();
-        auto set = [&](int input, double value) { row.in[input] = static_cast<float>(value); };
+        auto set = [&](Input input, double value) {
+            row.in[static_cast<size_t>(input)] = static_cast<float>(value);
+        };
         const auto& nodes = kNodeDegrees[turn % std::size(kNodeDegrees)];
         set(kNodeNear, std::cos(degrees(nodes[0]))), set(kNodeFar, std::cos(degrees(nodes[1])));
         const double c = turn % 11 == 3 ? 0 : of_tables_.uniform(0, 0.9);

@@ -254,8 +254,9 @@ TEST(VisibilityTable, OfFacetsThatHideNothingIsExactAtEveryAngle)
     }
     const Packed<double> packed(table);
     double shift = 0;
-    for (double theta = 0; theta <= 65; theta += 2.5)
-        for (double phi = -3; phi < 3.1; phi += 0.5) {
+    for (int i = 0; i <= 26; ++i)
+        for (int j = 0; j < 13; ++j) {
+            const double theta = 2.5 * i, phi = 0.5 * j - 3;
             const V3d w = toward(degrees(theta), phi);
             double area = 0;
             V3d color(0);
@@ -289,7 +290,8 @@ TEST(ColorByVisibility, StaysFiniteAndContinuousWhereNothingIsSeen)
     EXPECT_NEAR(kernel::scree_color_by_visibility(0.3, 0.8 / 64 - 0.3, 1.0 / 64 - 1),
                 0.5 * (0.8 + 0.3), 1e-14);
     double before = kernel::scree_color_by_visibility(0.3, -0.31, -1.2);
-    for (double a = -1.2; a < -0.8; a += 1e-4) {
+    for (int i = 0; i < 4000; ++i) {
+        const double a = -1.2 + 1e-4 * i;
         const double now = kernel::scree_color_by_visibility(0.3, -0.31, a);
         EXPECT_LT(std::abs(now - before), 32 * 0.8 * 1e-4) << a;
         EXPECT_GE(now, 0);

@@ -344,7 +344,6 @@ double unit_of(int output, const KernelCase& row, const Outputs<double>& want)
     case kMapU:
     case kMapV:
     case kAngle:
-        return 1;
     case kNodeShare:
         return 1;
     case kCos1:

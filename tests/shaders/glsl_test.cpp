@@ -51,7 +51,8 @@ TEST_P(Glsl, TheExampleOfTheDocsCompiles)
                                             "}\n";
     EXPECT_NE(context().program({(temp / "example.vert").string()},
                                 {"src/kernel/prelude_glsl.h", "src/kernel/scree_filter.h",
-                                 "src/shaders/scree_set.glsl", (temp / "example.frag").string()}),
+                                 "src/shaders/scree_set.glsl", "src/shaders/scree_visible.glsl",
+                                 (temp / "example.frag").string()}),
               0U);
 }
 

@@ -207,7 +207,7 @@ TEST_F(Rendered, SurfaceShaderShowsWhatVisibilityTablesTellOfViewAndLight)
 {
     write_image(temp_ / "h.exr", random_image(64, 64, {"Y"}, 42));
     Image color{64, 64, {"R", "G", "B"}, {}};
-    color.pixels.assign(64 * 64 * 3, 0.3F);
+    color.pixels.assign(size_t{64} * 64 * 3, 0.3F);
     write_image(temp_ / "c.exr", color);
     bake_files(temp_);
     write_visible_tables(temp_ / "set/rough.visible.exr", tables_of_red_and_blue());
