@@ -111,17 +111,16 @@ void add_bake_options(CLI::App& command, BakeWords& words)
     set->add_option("--rank-terms", o.rank_terms,
                     "terms of the rank table, 1 to 8; the most that auto takes")
         ->capture_default_str();
-    set->add_option(
-           "--visibility", words.visibility,
-           "where color follows the view: smith, from the slopes; corrected, with an "
-           "exponent fitted to the heights; tables, measured on the heights: NAME.visible.exr")
-        ->capture_default_str();
+    set->add_option("--visibility", words.visibility,
+                    "what tells the visible color: smith, from the slopes; corrected, with an "
+                    "exponent fitted to what views see of the heights; tables of what they see "
+                    "[smith; of --maps auto any]");
     set->add_option("--nodes", words.nodes,
-                    "angles from the normal that the tables hold, 1 to 6 [4]");
-    set->add_option("--harmonics", o.table.harmonics,
-                    "of the azimuth in the tables: 0, the same from all sides, to 2")
-        ->capture_default_str();
-    set->add_option("--azimuths", o.table.azimuths, "directions that the tables are measured from")
+                    "of tables: angles from the normal, 1 to 6 [4]; the most that auto takes");
+    set->add_option("--harmonics", words.harmonics,
+                    "of tables: terms of the azimuth, 0 (the same from all sides) to 2 [1; of "
+                    "auto at most 2]");
+    set->add_option("--azimuths", o.table.azimuths, "of tables: directions that are swept")
         ->capture_default_str();
     set->add_option("--max-view-angle", o.max_view_angle_deg,
                     "for auto: steepest view, degrees from the normal")
@@ -177,17 +176,19 @@ void interpret(CLI::App& command, BakeWords& words)
         o.pixel_type = pixel_type_choice_named(words.pixel_type);
         o.compression = compression_named(words.compression);
         o.layout = layout_named(words.layout);
-        o.visibility = visibility_named(words.visibility);
-        if (words.nodes) {
-            if (*words.nodes < 1 || *words.nodes > kMaxNodes)
-                throw Error(fmt::format("--nodes {}: must be 1 to {}", *words.nodes, kMaxNodes));
-            o.table.node_angles_deg = best_node_angles(*words.nodes);
-        }
         for (const auto& name : words.maps)
             if (name == "auto")
                 o.auto_maps = true;
             else
                 o.maps.push_back(map_named(name));
+        if (!words.visibility.empty())
+            o.visibility = visibility_named(words.visibility);
+        o.table.harmonics = words.harmonics.value_or(o.auto_maps ? 2 : 1);
+        if (words.nodes) {
+            if (*words.nodes < 1 || *words.nodes > kMaxNodes)
+                throw Error(fmt::format("--nodes {}: must be 1 to {}", *words.nodes, kMaxNodes));
+            o.table.node_angles_deg = best_node_angles(*words.nodes);
+        }
         if (!words.map_range.empty())
             o.map_range = {words.map_range.front(), words.map_range.back()};
         o.map_by = map_by_named(words.map_by, words.map_azimuth.has_value());

@@ -24,8 +24,9 @@ struct BakeWords {
     std::string map_by = "height";
     std::vector<std::string> wrap, maps;
     std::string input = "height", normal_range = "auto", reconstruction = "bilinear";
-    std::string pixel_type = "auto", compression = "zip", layout = "scree", visibility = "smith";
-    std::optional<int> nodes;
+    std::string pixel_type = "auto", compression = "zip", layout = "scree";
+    std::string visibility; ///< empty: not given
+    std::optional<int> nodes, harmonics;
     bool quiet = false;
 };
 

@@ -27,6 +27,7 @@ void run(const InfoWords& words)
     print_textures(manifest);
     print_levels(manifest);
     print_color_fit(manifest);
+    print_model_errors(manifest);
     print_color_map(manifest);
     print_model_choice(manifest);
     for (const auto& warning : manifest.warnings)

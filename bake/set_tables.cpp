@@ -19,6 +19,8 @@ std::string triple(const std::optional<std::array<double, 3>>& rgb)
     return rgb ? fmt::format("{:.2f} {:.2f} {:.2f}", (*rgb)[0], (*rgb)[1], (*rgb)[2]) : "-";
 }
 
+size_t column_width(const LevelError& error) { return std::max<size_t>(error.model.size(), 7); }
+
 } // namespace
 
 void print_head(const Manifest& m)
@@ -102,6 +104,25 @@ void print_color_fit(const Manifest& m)
     fmt::print("\ncolor std: deviation of the color inside a texel. R2: share of its variance that "
                "a model explains: linear in\nheight (colorheight), in slope (colorslope), 1, 2, 4 "
                "terms by height rank (rank). left: deviation the best leaves.\n");
+}
+
+void print_model_errors(const Manifest& m)
+{
+    if (m.levels.empty() || m.levels.back().model_errors.empty())
+        return;
+    fmt::print("\n{:>5}", "level");
+    for (const LevelError& error : m.levels.back().model_errors)
+        fmt::print(" {:>{}}", error.model, column_width(error));
+    fmt::print("\n");
+    for (size_t l = 0; l < m.levels.size(); ++l) {
+        fmt::print("{:>5}", l);
+        for (const LevelError& error : m.levels[l].model_errors)
+            fmt::print(" {:>{}.2g}", error.error, column_width(error));
+        fmt::print("\n");
+    }
+    fmt::print("\nwhat each way to tell the visible color leaves (rms, relative, of the worst "
+               "elevation), measured on the heights:\nmean color, rank and colorheight with "
+               "Smith's exponent, colorheight with a fitted exponent, visible NODESxTERMS.\n");
 }
 
 void print_color_map(const Manifest& m)

@@ -11,6 +11,8 @@ void print_textures(const Manifest& manifest);
 void print_levels(const Manifest& manifest);
 /// How well each color model fits, where color varies inside texels.
 void print_color_fit(const Manifest& manifest);
+/// What every model of color leaves, level by level; nothing where it was not measured.
+void print_model_errors(const Manifest& manifest);
 /// Nothing for a set without a color map.
 void print_color_map(const Manifest& manifest);
 /// What `--maps auto` kept and dropped; nothing without it.

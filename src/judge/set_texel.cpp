@@ -26,6 +26,8 @@ float* place(SetTexel& texel, Map map, size_t i, size_t terms)
         return &texel.color[i];
     case Map::colorheight:
         return &texel.color_height[i];
+    case Map::exponent:
+        return &texel.exponent[i];
     case Map::colorslope:
         return i % 2 == 0 ? &texel.color_s[blue_first] : &texel.color_t[blue_first];
     case Map::rank:

@@ -15,6 +15,7 @@ struct SetTexel {
     float tau = 0;
     float h = 0, hh = 0; ///< E[hn], E[hn hn]
     std::array<float, 3> color_height{};
+    std::array<float, 3> exponent{1, 1, 0}; ///< gain, power, threshold
     std::array<float, 3> color_s{}, color_t{};
     std::array<std::array<float, 3>, 8> rank{};        ///< a_1 .. a_8
     std::array<float, kMostVisibleChannels> visible{}; ///< in the order of the file

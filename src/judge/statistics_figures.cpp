@@ -164,8 +164,9 @@ void add_figures(const TextureRecord& texture, std::vector<Figure>& figures)
     case Map::coverage:
         add("coverage", Yardstick::one, coverage);
         break;
-    case Map::visible: // not a sum over texels by themselves: held against the reference's views
-    case Map::map:     // a table, not of texels
+    case Map::exponent: // a fit
+    case Map::visible:  // not a sum over texels by themselves: held against the reference's views
+    case Map::map:      // a table, not of texels
         break;
     }
 }

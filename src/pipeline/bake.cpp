@@ -46,17 +46,26 @@ private:
     VisibleBands bands_;
 };
 
+/// What a set is made of, as far as it is decided.
+struct SetPlan {
+    std::vector<Map> maps;
+    TableSizes tables;
+    const MapTable* map_table = nullptr; ///< of a color map by height
+    std::optional<MeasuredModels> models;
+};
+
 /// Goes over the surface to measure: what storage costs, for the pixel types, and what every color
 /// model costs, for the choice of maps. The levels reported then know of maps that are dropped.
 ///
-/// heights  what views see is swept over; null where no map asks for it
-void measure(const Surface& surface, const std::vector<Map>& maps, const MapTable* table,
-             const HeightGrid* heights, Manifest& manifest)
+/// heights  what views see is swept over; null where none is asked for
+void measure(const Surface& surface, const HeightGrid* heights, SetPlan& plan, Manifest& manifest)
 {
     const BakeOptions& options = surface.options;
     const int width = surface.width(), height = surface.height();
-    const TableSizes tables{options.rank_terms, table_of(maps, options)};
-    const MomentLayout layout = moments_for(maps, tables, 0, surface.source, options);
+    const MeasuredViews views(options.max_view_angle_deg);
+    const int view_count = heights != nullptr ? static_cast<int>(views.angles.size()) : 0;
+    const MomentLayout layout =
+        moments_for(plan.maps, plan.tables, view_count, surface.source, options);
     LevelReport report(layout, width, height, surface.found.h1);
     std::vector<TexelVisitor*> visitors;
     auto visit = [&visitors](const std::vector<TexelVisitor*>& more) {
@@ -66,14 +75,14 @@ void measure(const Surface& surface, const std::vector<Map>& maps, const MapTabl
     std::optional<ModelErrors> models;
     if (options.pixel_type == PixelTypeChoice::automatic)
         visit(types.emplace(manifest.textures, layout, surface.scale(), width, height).visitors());
-    if (options.auto_maps) {
-        visit({&models.emplace(layout, surface.scale(), table, options.max_view_angle_deg, width,
-                               height)});
+    if (options.auto_maps || heights != nullptr)
+        visit({&models.emplace(layout, surface.scale(), plan.map_table, plan.tables.visibility,
+                               views, width, height)});
+    if (options.auto_maps)
         visit(report.visitors());
-    }
     std::optional<SeenRows> seen;
     if (heights != nullptr)
-        seen.emplace(*heights, tables.visibility, std::vector<ViewAngles>());
+        seen.emplace(*heights, plan.tables.visibility, views.angles);
     StripReader strips(surface.source, surface.found, options, seen ? seen->bands() : nullptr,
                        false);
     MomentPyramid pyramid(layout, width, height, visitors);
@@ -81,23 +90,24 @@ void measure(const Surface& surface, const std::vector<Map>& maps, const MapTabl
 
     if (types)
         types->choose(manifest.textures, options.half_tolerance);
-    if (models) {
-        manifest.model_choice = choose_models(*models, maps, options);
+    if (models)
+        plan.models = models->measured();
+    if (options.auto_maps)
         manifest.levels = report.summaries();
-    }
 }
 
-/// Drops the textures that the choice of models does without.
-void drop_maps(const BakeOptions& options, std::vector<Map>& maps, Manifest& manifest)
+/// Chooses the models of color, and drops the textures that they do without.
+void choose(const BakeOptions& options, SetPlan& plan, Manifest& manifest)
 {
-    maps = maps_of(*manifest.model_choice, maps, options);
-    const int terms = rank_terms_of(*manifest.model_choice);
+    manifest.model_choice = choose_models(*plan.models, plan.maps, options);
+    plan.maps = maps_of(*manifest.model_choice, plan.maps, options);
+    plan.tables = {rank_terms_of(*manifest.model_choice),
+                   table_of(*manifest.model_choice, *plan.models)};
     std::vector<TextureRecord> kept;
     for (TextureRecord& texture : manifest.textures) {
-        if (std::find(maps.begin(), maps.end(), texture.map) == maps.end())
+        if (std::find(plan.maps.begin(), plan.maps.end(), texture.map) == plan.maps.end())
             continue;
-        if (texture.map == Map::rank)
-            texture.channels = rank_channels(terms);
+        texture.channels = channels_of(texture.map, plan.tables);
         kept.push_back(std::move(texture));
     }
     manifest.textures = std::move(kept);
@@ -105,14 +115,16 @@ void drop_maps(const BakeOptions& options, std::vector<Map>& maps, Manifest& man
 
 /// Writes all textures but the table of a color map; returns the summaries of their levels, those
 /// of the measuring pass where there are any: they know of more maps.
-std::vector<LevelSummary> write_textures(const Surface& surface, const std::vector<Map>& maps,
+std::vector<LevelSummary> write_textures(const Surface& surface, const SetPlan& plan,
                                          const HeightGrid* heights, const Manifest& manifest,
                                          const std::filesystem::path& folder)
 {
-    const TableSizes tables{manifest.model_choice ? rank_terms_of(*manifest.model_choice)
-                                                  : surface.options.rank_terms,
-                            table_of(maps, surface.options)};
-    const MomentLayout layout = moments_for(maps, tables, 0, surface.source, surface.options);
+    const MomentLayout layout =
+        moments_for(plan.maps, plan.tables, 0, surface.source, surface.options);
+    ValueScale scale = surface.scale();
+    if (plan.models)
+        for (const auto& fit : plan.models->exponents)
+            scale.exponents.push_back(fit.value_or(ExponentFit()));
     LevelReport report(layout, surface.width(), surface.height(), surface.found.h1);
     std::vector<TextureOutput> outputs;
     const bool is_reported = !manifest.levels.empty();
@@ -129,20 +141,31 @@ std::vector<LevelSummary> write_textures(const Surface& surface, const std::vect
                                                 texture.type, surface.options.compression,
                                                 attributes_of(texture.map, manifest)}),
             nullptr};
-        output.rows =
-            std::make_unique<TextureRows>(texture.map, layout, surface.scale(), *output.file);
+        output.rows = std::make_unique<TextureRows>(texture.map, layout, scale, *output.file);
         visitors.push_back(output.rows.get());
         outputs.push_back(std::move(output));
     }
     std::optional<SeenRows> seen;
-    if (heights != nullptr)
-        seen.emplace(*heights, tables.visibility, std::vector<ViewAngles>());
+    if (heights != nullptr && plan.tables.visibility.components() > 0)
+        seen.emplace(*heights, plan.tables.visibility, std::vector<ViewAngles>());
     StripReader strips(surface.source, surface.found, surface.options,
                        seen ? seen->bands() : nullptr, true);
     MomentPyramid pyramid(layout, surface.width(), surface.height(), visitors);
     write_pass(strips, pyramid, texels_of(surface, layout), outputs, surface.height(),
                surface.monitor);
     return is_reported ? manifest.levels : report.summaries();
+}
+
+/// Tells every level what the models leave of it.
+void report_models(const MeasuredModels& models, const std::vector<Map>& maps,
+                   std::vector<LevelSummary>& levels)
+{
+    const bool fitted = std::find(maps.begin(), maps.end(), Map::exponent) != maps.end();
+    for (size_t level = 0; level < levels.size(); ++level) {
+        levels[level].model_errors = models.levels[level];
+        if (fitted)
+            levels[level].exponent = models.exponents[level];
+    }
 }
 
 bool has_table(const Manifest& manifest)
@@ -179,28 +202,33 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
     }
     const Surface surface(source, options, monitor, color_map ? &*color_map : nullptr);
     describe(surface, manifest);
-    std::vector<Map> maps =
-        choose_maps(source, options, surface.has_color(), surface.found.complete);
-    const TableSizes tables{options.rank_terms, table_of(maps, options)};
-    manifest.textures = textures_for(maps, tables, options, manifest.name);
-    std::optional<SpooledHeights> heights;
-    if (tables.visibility.components() > 0) {
-        heights.emplace(surface, folder.path());
-        manifest.visibility = {tables.visibility.node_angles_deg, tables.visibility.harmonics,
-                               tables.visibility.azimuths};
-    }
-    const HeightGrid* seen_from = heights ? &*heights : nullptr;
+    SetPlan plan;
+    plan.maps = choose_maps(source, options, surface.has_color(), surface.found.complete);
+    plan.tables = {options.rank_terms, table_of(plan.maps, options)};
+    manifest.textures = textures_for(plan.maps, plan.tables, options, manifest.name);
     const bool by_height = options.map_by == MapBy::height;
     // By height it is one of the models to be measured; by slope it is made of the slopes found.
     std::optional<ColorTable> table;
-    if (has_table(manifest) && by_height)
+    if (has_table(manifest) && by_height) {
         table = color_table_by_height(*surface.mapped, surface.found, options.map_tolerance);
+        plan.map_table = &table->table;
+    }
+    std::optional<SpooledHeights> spooled;
+    if (needs_views(plan.maps, options))
+        spooled.emplace(surface, folder.path());
+    const HeightGrid* heights = spooled ? &*spooled : nullptr;
 
-    if (options.auto_maps || options.pixel_type == PixelTypeChoice::automatic)
-        measure(surface, maps, table ? &table->table : nullptr, seen_from, manifest);
+    if (options.auto_maps || options.pixel_type == PixelTypeChoice::automatic || heights != nullptr)
+        measure(surface, heights, plan, manifest);
     if (options.auto_maps)
-        drop_maps(options, maps, manifest);
-    manifest.levels = write_textures(surface, maps, seen_from, manifest, folder.path());
+        choose(options, plan, manifest);
+    const VisibilityPlan& visibility = plan.tables.visibility;
+    if (visibility.components() > 0)
+        manifest.visibility = {visibility.node_angles_deg, visibility.harmonics,
+                               visibility.azimuths};
+    manifest.levels = write_textures(surface, plan, heights, manifest, folder.path());
+    if (plan.models)
+        report_models(*plan.models, plan.maps, manifest.levels);
     if (has_table(manifest) && !by_height)
         table =
             color_table_by_slope(*surface.mapped, manifest.levels.front(), options.map_tolerance);

@@ -44,8 +44,6 @@ void describe(const Surface& surface, Manifest& manifest)
         manifest.color_map = color_map_record(*surface.mapped, options);
 }
 
-namespace {
-
 std::vector<std::string> channels_of(Map map, const TableSizes& tables)
 {
     const VisibilityPlan& visibility = tables.visibility;
@@ -57,8 +55,6 @@ std::vector<std::string> channels_of(Map map, const TableSizes& tables)
     return map_info(map).channels;
 }
 
-} // namespace
-
 std::vector<TextureRecord> textures_for(const std::vector<Map>& maps, const TableSizes& tables,
                                         const BakeOptions& options, const std::string& name)
 {
@@ -68,7 +64,8 @@ std::vector<TextureRecord> textures_for(const std::vector<Map>& maps, const Tabl
         texture.map = map;
         texture.channels = channels_of(map, tables);
         texture.file = fmt::format("{}.{}.exr", name, map_info(map).name);
-        const bool half = options.pixel_type == PixelTypeChoice::half && map != Map::map;
+        const bool half =
+            options.pixel_type == PixelTypeChoice::half && map != Map::map && map != Map::exponent;
         texture.type = half ? PixelType::half : PixelType::float32;
         textures.push_back(texture);
     }

@@ -10,6 +10,9 @@ namespace scree {
 /// Writes into the manifest all that is known before the first texel is made.
 void describe(const Surface& surface, Manifest& manifest);
 
+/// Channels of a map's texture.
+std::vector<std::string> channels_of(Map map, const TableSizes& tables);
+
 /// One texture a map, of the type that was given, or float.
 ///
 /// tables  sizes of those of rank and of visibility

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "math/error.h"
 #include "pipeline/texture_values.h"
@@ -11,23 +12,38 @@ namespace scree {
 
 namespace {
 
-/// Tables of visibility stand for the other ways that color follows the view.
+/// Which ways color may follow the view; a choice is made among them later where there are several.
+struct Ways {
+    bool smith, corrected, tables;
+};
+
+Ways ways_of(const BakeOptions& options)
+{
+    if (!options.visibility)
+        return {true, options.auto_maps, options.auto_maps};
+    // With `auto` the named way may be taken, and what is plainer.
+    const Visibility given = *options.visibility;
+    return {given == Visibility::smith || options.auto_maps,
+            given == Visibility::corrected || (options.auto_maps && given == Visibility::tables),
+            given == Visibility::tables};
+}
+
 std::vector<Map> all_maps(const Source& source, const BakeOptions& options, bool has_color)
 {
-    const bool sees = options.visibility == Visibility::tables;
+    const Ways ways = ways_of(options);
+    const bool has_heights = source.has_heights();
     std::vector<Map> maps = {Map::slope, Map::tail};
-    if (source.has_heights())
-        maps.push_back(Map::height);
-    if (has_color)
-        maps.push_back(Map::color);
-    if (has_color && sees)
-        maps.push_back(Map::visible);
-    if (has_color && !sees)
-        maps.push_back(Map::colorslope);
-    if (has_color && !sees && source.has_heights())
-        maps.insert(maps.end(), {Map::colorheight, Map::rank});
-    if (!options.colormap_file.empty() && !sees)
-        maps.push_back(Map::map);
+    auto add_if = [&maps](bool condition, std::initializer_list<Map> more) {
+        if (condition)
+            maps.insert(maps.end(), more);
+    };
+    add_if(has_heights, {Map::height});
+    add_if(has_color, {Map::color});
+    add_if(has_color && ways.smith, {Map::colorslope});
+    add_if(has_color && has_heights && ways.smith, {Map::colorheight, Map::rank});
+    add_if(has_color && has_heights && ways.corrected, {Map::colorheight, Map::exponent});
+    add_if(has_color && has_heights && ways.tables, {Map::visible});
+    add_if(!options.colormap_file.empty() && ways.smith, {Map::map});
     return maps;
 }
 
@@ -66,6 +82,13 @@ VisibilityPlan table_of(const std::vector<Map>& maps, const BakeOptions& options
 {
     const bool has_table = std::find(maps.begin(), maps.end(), Map::visible) != maps.end();
     return has_table ? options.table : VisibilityPlan();
+}
+
+bool needs_views(const std::vector<Map>& maps, const BakeOptions& options)
+{
+    auto has = [&maps](Map map) { return std::find(maps.begin(), maps.end(), map) != maps.end(); };
+    return has(Map::visible) || has(Map::exponent) ||
+           (options.auto_maps && has(Map::height) && has(Map::color));
 }
 
 MomentLayout moments_for(const std::vector<Map>& maps, const TableSizes& tables, int views,

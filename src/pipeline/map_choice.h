@@ -20,6 +20,9 @@ std::vector<Map> choose_maps(const Source& source, const BakeOptions& options, b
 /// The table of visibility among the maps; without nodes where there is none.
 VisibilityPlan table_of(const std::vector<Map>& maps, const BakeOptions& options);
 
+/// Whether something among the maps is measured on the heights, and with them the models of color.
+bool needs_views(const std::vector<Map>& maps, const BakeOptions& options);
+
 /// The moments that maps need, and those that the fit report takes besides.
 ///
 /// tables  sizes of those of rank and of visibility

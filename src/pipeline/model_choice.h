@@ -15,7 +15,7 @@ namespace scree {
 /// A surface colored by slope needs no way to show color by height: its table sees the slope.
 ///
 /// maps  all that the inputs allow
-ModelChoice choose_models(const ModelErrors& errors, const std::vector<Map>& maps,
+ModelChoice choose_models(const MeasuredModels& measured, const std::vector<Map>& maps,
                           const BakeOptions& options);
 
 /// The maps that a choice reads. Slope, color and coverage stay in any case; a color map by slope
@@ -25,5 +25,8 @@ std::vector<Map> maps_of(const ModelChoice& choice, const std::vector<Map>& maps
 
 /// Terms of the rank table that a choice reads; 0 for none.
 int rank_terms_of(const ModelChoice& choice);
+
+/// The table of visibility that a choice reads; without nodes where it has none.
+VisibilityPlan table_of(const ModelChoice& choice, const MeasuredModels& measured);
 
 } // namespace scree

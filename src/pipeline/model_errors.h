@@ -1,25 +1,37 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "color/map_table.h"
+#include "pipeline/exponent_fit.h"
+#include "pipeline/measured_views.h"
 #include "pipeline/moment_pyramid.h"
 #include "pipeline/texture_values.h"
 #include "texset/manifest.h"
 
 namespace scree {
 
+/// What was measured of the models of color, cheapest first.
+struct MeasuredModels {
+    std::vector<ModelRecord> models;
+    std::vector<VisibilityPlan> tables;          ///< of each model; without nodes where it has none
+    std::vector<std::vector<LevelError>> levels; ///< what the models leave of each level
+    std::vector<std::optional<ExponentFit>> exponents; ///< a level; absent without heights
+    double without_colorslope = 0, without_tail = 0;   ///< what is lost without a map
+};
+
 /// Measures what every way to show the visible color costs, over the views a recipe allows.
 ///
-/// Truth is the footprint itself, its points of rank u seen with probability u^Lambda
-/// (stats/ranks.h), Lambda being that of the kernel; so what is measured is the loss of the
-/// color model, not that of Smith's masking. Elevations are a quarter, a half, three quarters and
-/// all of the largest view angle, azimuths +s, +t, -s, -t. The error of a model is the rms over
-/// texels, azimuths and R, G, B, of the worst level and elevation, relative to the rms of the map's
-/// mean color. The models stop at black, as the kernel does: of negative colors that is part of
-/// their error.
+/// Truth is what the views see of the heights themselves: E[c V W] / E[V W] of the footprint, from
+/// sweeps (visibility/sweep.h). The error of a model at a level and elevation is the rms over
+/// texels, azimuths and R, G, B, relative to the rms of the map's mean color; texels count by the
+/// area a view sees of them, as in a picture, and by coverage. Of a model at a level it is that of
+/// the worst elevation, of a model as a whole the rms over the levels above the finest: each is as
+/// likely to be looked up. The models stop at black, as the kernel does: of negative colors that is
+/// part of their error.
 ///
 /// Two maps are judged by what the view loses without them: color-slope by the color it would
 /// add, likewise relative; tail by how much it changes the projected area, relative, and the
@@ -29,53 +41,57 @@ namespace scree {
 /// at least; the same ones for any number of threads.
 class ModelErrors : public TexelVisitor {
 public:
-    /// layout  with slope and color; with ranks where there are heights
-    /// scale   world heights from normalised ones, which `table` is looked up with
-    /// table   of a color map by height, or null
-    ModelErrors(const MomentLayout& layout, const ValueScale& scale, const MapTable* table,
-                double max_view_angle_deg, int width, int height);
+    /// layout  with slope; with color, height and views, in the order of `views`, where color by
+    ///         height is to be judged
+    /// scale   world heights from normalised ones, which `map` is looked up with
+    /// map     table of a color map by height, or null
+    /// table   of visibility, its components in the layout; models are its subsets
+    ModelErrors(const MomentLayout& layout, const ValueScale& scale, const MapTable* map,
+                const VisibilityPlan& table, const MeasuredViews& views, int width, int height);
 
     void texels(int level, int y, int x0, int count, MomentRow row) override;
-    void profiles(int level, int y, int x0, int count, MomentRow row,
-                  const ProfileRow& profiles) override;
 
-    /// The models of color by height, cheapest first.
-    [[nodiscard]] std::vector<ModelRecord> color_models() const;
-    /// What is lost without a map.
-    [[nodiscard]] double without_colorslope() const;
-    [[nodiscard]] double without_tail() const;
+    /// After the pass; fits what is fitted. Without views there are no errors of models.
+    [[nodiscard]] MeasuredModels measured() const;
 
 private:
-    static constexpr int kElevations = 4, kAzimuths = 4;
-
-    /// Squared errors of one model.
-    using Squares = std::array<double, kElevations>;
+    /// Squared errors of one model, an elevation each.
+    using Squares = std::vector<double>;
     struct Sums {
-        double seen = 0, judged = 0; ///< weight of the texels in texels() and in profiles()
+        double texels = 0;        ///< weight of the texels
+        std::vector<double> seen; ///< an elevation: weight times area seen
         std::vector<Squares> models;
-        Squares colorslope{}, tail{};
+        Squares colorslope, tail;
+        std::optional<ExponentBins> exponent;
     };
     struct Model {
-        std::string name;
-        int channels;
-        int rank_terms; ///< of a rank table, else 0
+        ModelRecord record;
+        std::vector<int> nodes; ///< of a table of visibility
+        int harmonics = 0;
     };
-    struct View {
-        double x, y, z;
-    };
+    /// What the models need of one texel.
+    struct Texel;
+
+    void add_tables(const VisibilityPlan& table);
     [[nodiscard]] bool is_picked(int level, int x, int y) const;
-    [[nodiscard]] Rgb shown(const Model& model, MomentRow texel, double lambda) const;
-    void add_profile(MomentRow texel, const RankProfile& profile, Sums& sums) const;
-    void add_slopes(MomentRow texel, Sums& sums) const;
-    /// Rms over texels of the worst level and elevation.
-    template <class Of>
-    [[nodiscard]] double worst(double Sums::*weight, Of squares) const;
+    [[nodiscard]] Rgb shown(const Model& model, const Texel& texel, double lambda,
+                            const MeasuredView& view) const;
+    [[nodiscard]] Rgb by_table(const Model& model, const Texel& texel,
+                               const MeasuredView& view) const;
+    void add_slopes(const Texel& texel, Sums& sums) const;
+    void add_colors(const Texel& texel, Sums& sums) const;
+    [[nodiscard]] Sums total(int level) const;
+    [[nodiscard]] double color_size() const;
+    [[nodiscard]] double largest_error(const Sums& sums, size_t model,
+                                       const std::optional<ExponentFit>& fit) const;
 
     MomentLayout layout_;
     ValueScale scale_;
-    const MapTable* table_;
+    const MapTable* map_;
+    VisibilityPlan table_;
+    std::vector<double> cosines_; ///< of the table's nodes
+    MeasuredViews views_;
     std::vector<Model> models_;
-    std::array<std::array<View, kAzimuths>, kElevations> views_;
     std::vector<double> picked_;            ///< share of the texels of a level
     std::vector<std::vector<Sums>> blocks_; ///< [level][block]
     Rgb mean_color_{};                      ///< of the whole map: of the last level's one texel

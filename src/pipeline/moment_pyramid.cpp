@@ -105,13 +105,10 @@ void MomentPyramid::make_run(int level, int y, int block, const Fill& fill)
             fine_rows[k] = row(fine, share.first + k);
         reductions_[static_cast<size_t>(level) - 1].row(fine_rows, share, x0, x0 + count, out);
     }
-    const ProfileRow* profiles =
-        profiles_ ? &profiles_->make(level, y, x0, count, out.from(x0)) : nullptr;
-    for (TexelVisitor* visitor : visitors_) {
+    if (profiles_)
+        profiles_->make(level, y, x0, count, out.from(x0));
+    for (TexelVisitor* visitor : visitors_)
         visitor->texels(level, y, x0, count, out.from(x0));
-        if (profiles != nullptr)
-            visitor->profiles(level, y, x0, count, out.from(x0), *profiles);
-    }
 }
 
 } // namespace scree

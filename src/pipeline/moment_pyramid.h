@@ -22,12 +22,6 @@ public:
     /// kBlockColumns; different blocks on different threads, the rows of a block in order.
     virtual void texels(int level, int y, int x0, int count, MomentRow row) = 0;
 
-    /// The same texels by height rank, right after texels(); only where the layout has ranks.
-    /// `profiles` is to be asked for columns from x0 to x0 + count - 1.
-    virtual void profiles(int /*level*/, int /*y*/, int /*x0*/, int /*count*/, MomentRow /*row*/,
-                          const ProfileRow& /*profiles*/)
-    {}
-
     /// All rows below `end` of the level are made. One thread.
     virtual void rows_end(int /*level*/, int /*end*/) {}
 };

@@ -2,13 +2,20 @@
 
 namespace scree {
 
+namespace {
+
+/// Of few numbers, that stay as they are.
+bool is_measured(Map map) { return map != Map::map && map != Map::exponent; }
+
+} // namespace
+
 PixelTypes::PixelTypes(const std::vector<TextureRecord>& textures, const MomentLayout& layout,
                        const ValueScale& scale, int width, int height)
 {
     for (const TextureRecord& texture : textures)
-        errors_.push_back(texture.map == Map::map ? nullptr
-                                                  : std::make_unique<StorageError>(
-                                                        texture.map, layout, scale, width, height));
+        errors_.push_back(is_measured(texture.map) ? std::make_unique<StorageError>(
+                                                         texture.map, layout, scale, width, height)
+                                                   : nullptr);
 }
 
 std::vector<TexelVisitor*> PixelTypes::visitors() const

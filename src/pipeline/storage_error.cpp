@@ -49,14 +49,14 @@ double StorageError::world_height_error(MomentRow row, int count) const
 }
 
 template <class Store>
-double StorageError::largest_error(MomentRow row, int count) const
+double StorageError::largest_error(int level, MomentRow row, int count) const
 {
     using Bits = typename Store::Bits;
     Bits values[kMostChannels][kTileSize];
     Bits* stored[kMostChannels];
     for (int c = 0; c < kMostChannels; ++c)
         stored[c] = values[c];
-    texture_values<Store>(map_, layout_, row, count, scale_, stored);
+    texture_values<Store>(map_, layout_, level, row, count, scale_, stored);
 
     auto value = [&](int channel, int i) { return Store::value(values[channel][i]); };
     auto truth = [&](int plane, int i) { return row.plane(plane)[i]; };
@@ -135,6 +135,7 @@ double StorageError::largest_error(MomentRow row, int count) const
         case Map::coverage:
             note(std::abs(value(0, i) - truth(MomentLayout::weight, i)));
             break;
+        case Map::exponent: // float, always
         case Map::map:
             break;
         }
@@ -148,8 +149,8 @@ void StorageError::texels(int level, int /*y*/, int x0, int count, MomentRow row
     Largest& own = blocks[static_cast<size_t>(x0 / kBlockColumns)];
     for (int x = 0; x < count; x += kTileSize) {
         const int run = std::min(kTileSize, count - x);
-        own.half = std::max(own.half, largest_error<StoreHalf>(row.from(x), run));
-        own.single = std::max(own.single, largest_error<StoreFloat>(row.from(x), run));
+        own.half = std::max(own.half, largest_error<StoreHalf>(level, row.from(x), run));
+        own.single = std::max(own.single, largest_error<StoreFloat>(level, row.from(x), run));
     }
     if (map_ == Map::bumpslopes && scale_.has_height) {
         own.half_height = std::max(own.half_height, world_height_error<StoreHalf>(row, count));
@@ -217,6 +218,7 @@ double StorageError::yardstick(const Largest& level, const Largest& next) const
     case Map::colorslope:
         return std::max(color_deviation_, kSeen * largest_color_) * slope_deviation_;
     case Map::height:
+    case Map::exponent:
     case Map::map:
     case Map::tail:
     case Map::coverage:

@@ -46,7 +46,7 @@ private:
         double color = 0;
     };
     template <class Store>
-    double largest_error(MomentRow row, int count) const;
+    double largest_error(int level, MomentRow row, int count) const;
     template <class Store>
     double world_height_error(MomentRow row, int count) const;
     [[nodiscard]] Largest largest_of(size_t level) const;

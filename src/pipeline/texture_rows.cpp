@@ -49,7 +49,7 @@ void TextureRows::store_texels(int level, int y, int x0, int count, MomentRow ro
         stored[c] = values[c];
     for (int x = x0; x < x0 + count; x += kTileSize) {
         const int pixels = std::min(kTileSize, x0 + count - x);
-        texture_values<Store>(map_, layout_, row.from(x - x0), pixels, scale_, stored);
+        texture_values<Store>(map_, layout_, level, row.from(x - x0), pixels, scale_, stored);
         for (int c = 0; c < channels; ++c) {
             int tile_pixels = 0;
             uint8_t* line = file_.line(tiles, x / kTileSize, y, c, tile_pixels);

@@ -1,5 +1,6 @@
 #include "pipeline/texture_values.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "stats/kurtosis.h"
@@ -30,7 +31,7 @@ SlopeRun slope_run(const MomentLayout& layout, MomentRow row)
 } // namespace
 
 template <class Store>
-void texture_values(Map map, const MomentLayout& layout, MomentRow row, int count,
+void texture_values(Map map, const MomentLayout& layout, int level, MomentRow row, int count,
                     const ValueScale& scale, typename Store::Bits* const* stored)
 {
     assert(count <= kTileSize);
@@ -53,6 +54,15 @@ void texture_values(Map map, const MomentLayout& layout, MomentRow row, int coun
             store_products<Store>(row.plane(layout.color_height + c), row.plane(layout.color + c),
                                   row.plane(layout.height), count, stored[c]);
         break;
+    case Map::exponent: { // the same all over a level
+        const ExponentFit& fit = scale.exponents[static_cast<size_t>(level)];
+        const double numbers[] = {fit.gain, fit.power, fit.threshold};
+        for (int c = 0; c < 3; ++c) {
+            std::fill_n(scratch, count, numbers[c]);
+            store_values(scratch, count, stored[c]);
+        }
+        break;
+    }
     case Map::colorslope: // Bs Bt Gs Gt Rs Rt
         for (int c = 0; c < 3; ++c) {
             const double* color = row.plane(layout.color + c);
@@ -93,10 +103,10 @@ void texture_values(Map map, const MomentLayout& layout, MomentRow row, int coun
     }
 }
 
-template void texture_values<StoreFloat>(Map, const MomentLayout&, MomentRow, int,
+template void texture_values<StoreFloat>(Map, const MomentLayout&, int, MomentRow, int,
                                          const ValueScale&, StoreFloat::Bits* const*);
-template void texture_values<StoreHalf>(Map, const MomentLayout&, MomentRow, int, const ValueScale&,
-                                        StoreHalf::Bits* const*);
+template void texture_values<StoreHalf>(Map, const MomentLayout&, int, MomentRow, int,
+                                        const ValueScale&, StoreHalf::Bits* const*);
 
 void require_moments(Map map, const TableSizes& tables, MomentSet& set)
 {
@@ -127,6 +137,9 @@ void require_moments(Map map, const TableSizes& tables, MomentSet& set)
         break;
     case Map::tail:
         set.slope = set.tail = true;
+        break;
+    case Map::exponent: // read with colorheight
+        set.color = set.height = set.color_height = true;
         break;
     case Map::map: // looked up with moments that other maps hold
     case Map::coverage:

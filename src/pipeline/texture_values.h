@@ -1,9 +1,12 @@
 #pragma once
 
+#include <vector>
+
 #include "math/storage.h"
 #include "stats/moment_layout.h"
 #include "stats/ranks.h"
 #include "texset/channels.h"
+#include "texset/manifest.h"
 #include "visibility/view_components.h"
 
 namespace scree {
@@ -12,6 +15,7 @@ namespace scree {
 struct ValueScale {
     double h0 = 0, h1 = 1;  ///< back from normalised to world height, for the bumpslopes layout
     bool has_height = true; ///< without, the bumpslopes height is -1, as maketx writes it
+    std::vector<ExponentFit> exponents = {}; ///< a level, of Map::exponent
 };
 
 /// Sizes of the tables that come in several.
@@ -22,11 +26,12 @@ struct TableSizes {
 
 /// The channels of a map for a run of texels, as the file stores them.
 ///
+/// level   of the texels
 /// row     moments, at texel 0 of the run
 /// count   texels, at most kTileSize
 /// stored  one array of `count` numbers a channel, in the order of MapInfo::channels
 template <class Store>
-void texture_values(Map map, const MomentLayout& layout, MomentRow row, int count,
+void texture_values(Map map, const MomentLayout& layout, int level, MomentRow row, int count,
                     const ValueScale& scale, typename Store::Bits* const* stored);
 
 /// The most channels a map has.

@@ -22,6 +22,11 @@ const std::vector<MapInfo>& map_table()
          "colorheight",
          {"R", "G", "B"},
          "E[c hn], color times normalised height, per color channel"},
+        {Map::exponent,
+         "exponent",
+         {"gain", "power", "threshold"},
+         "exponent for color by height as measured, in place of Smith's Lambda: gain max(Lambda - "
+         "threshold, 0)^power, Lambda of the raw second moments of the slope"},
         {Map::colorslope,
          "colorslope",
          {"Bs", "Bt", "Gs", "Gt", "Rs", "Rt"},

@@ -11,6 +11,7 @@ enum class Map {
     height,
     color,
     colorheight,
+    exponent,
     colorslope,
     rank,
     visible,

@@ -107,7 +107,7 @@ struct LevelSummary {
 struct ModelRecord {
     std::string model;   ///< "mean color", "colorheight", "rank 2", ..., or "without tail", ...
     int channels = 0;    ///< that it reads, beside mean color and slope; < 0: that it saves
-    double error = 0;    ///< rms, of the worst level and elevation
+    double error = 0;    ///< rms over texels, of the worst elevation, and over levels
     int rank_terms = 0;  ///< of a rank table, else 0
     bool chosen = false; ///< of "without ...": the map was dropped
 };

@@ -64,7 +64,12 @@ Manifest full_manifest()
     level.color_fit = {0.01, {{0.1, -0.2, 0.3}}, {{0.4, 0.5, 0.6}}, 0.21, 0.22, 0.23, 0.24, 0.25,
                        0.26};
     level.mean_color = {0.5, 0.6, 0.7};
-    m.levels = {level, LevelSummary{49, 49, 1, {}, {}, {}, {}, {}, {}, {}, {}, {}}};
+    level.exponent = {0.8, 1.2, 0.03};
+    level.model_errors = {{"mean color", 0.3}, {"visible 4x3", 0.02}};
+    LevelSummary bare;
+    bare.width = bare.height = 49;
+    m.levels = {level, bare};
+    m.visibility = {{55, 74.5}, 1, 8};
     m.options = {{"wrap", "clamp mirror"}, {"texel-size", "0.1 0.333"}};
     m.warnings = {"first", "second"};
     return m;
@@ -83,6 +88,17 @@ void expect_equal(const LevelSummary& a, const LevelSummary& b)
     EXPECT_EQ(a.tau, b.tau);
     EXPECT_EQ(a.height_sigma, b.height_sigma);
     EXPECT_EQ(a.mean_color, b.mean_color);
+    ASSERT_EQ(a.exponent.has_value(), b.exponent.has_value());
+    if (a.exponent) {
+        EXPECT_EQ(a.exponent->gain, b.exponent->gain);
+        EXPECT_EQ(a.exponent->power, b.exponent->power);
+        EXPECT_EQ(a.exponent->threshold, b.exponent->threshold);
+    }
+    ASSERT_EQ(a.model_errors.size(), b.model_errors.size());
+    for (size_t i = 0; i < a.model_errors.size(); ++i) {
+        EXPECT_EQ(a.model_errors[i].model, b.model_errors[i].model);
+        EXPECT_EQ(a.model_errors[i].error, b.model_errors[i].error);
+    }
     ASSERT_EQ(a.color_fit.has_value(), b.color_fit.has_value());
     if (a.color_fit) {
         EXPECT_EQ(a.color_fit->sigma, b.color_fit->sigma);
@@ -154,6 +170,10 @@ TEST(ManifestFile, EveryFieldComesBackToTheLastBit)
         EXPECT_EQ(r.color_map->table->largest_error, m.color_map->table->largest_error);
         EXPECT_EQ(r.color_map->table->shortcut_rms, m.color_map->table->shortcut_rms);
         EXPECT_EQ(r.color_map->table->shortcut_largest, m.color_map->table->shortcut_largest);
+        ASSERT_TRUE(r.visibility);
+        EXPECT_EQ(r.visibility->node_angles_deg, m.visibility->node_angles_deg);
+        EXPECT_EQ(r.visibility->harmonics, m.visibility->harmonics);
+        EXPECT_EQ(r.visibility->azimuths, m.visibility->azimuths);
         EXPECT_EQ(r.model_choice->max_view_angle_deg, m.model_choice->max_view_angle_deg);
         EXPECT_EQ(r.model_choice->tolerance, m.model_choice->tolerance);
         ASSERT_EQ(r.model_choice->models.size(), m.model_choice->models.size());
