@@ -20,8 +20,6 @@ int size_at(int size, int level)
     return size;
 }
 
-bool goes_on(Edge edge) { return edge == Edge::periodic || edge == Edge::repeat; }
-
 /// Where texel i of a line that goes on for ever lies in the map, and whether it runs backwards.
 struct Folded {
     int texel;
@@ -43,6 +41,8 @@ float beyond(Edge edge, float last, float before_last, float ground)
 }
 
 } // namespace
+
+bool goes_on(Edge edge) { return edge == Edge::periodic || edge == Edge::repeat; }
 
 int HeightGrid::width(int level) const { return size_at(shape_.width, level); }
 int HeightGrid::height(int level) const { return size_at(shape_.height, level); }
@@ -100,8 +100,11 @@ void HeightGrid::read(int level, int x0, int y0, int columns, int rows, float* h
             const int before_last = std::clamp(y < 0 ? 1 : size - 2, 0, size - 1);
             read_line(level, x0, last, columns, out);
             read_line(level, x0, before_last, columns, line.data());
+            const bool ends = !goes_on(shape_.edge_s);
             for (int x = 0; x < columns; ++x)
-                out[x] = beyond(shape_.edge_t, out[x], line[static_cast<size_t>(x)], shape_.ground);
+                if (!ends || (x0 + x >= -1 && x0 + x <= shape_.width))
+                    out[x] =
+                        beyond(shape_.edge_t, out[x], line[static_cast<size_t>(x)], shape_.ground);
         } else {
             std::fill_n(out, columns, kNoHeight);
         }

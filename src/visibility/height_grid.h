@@ -4,6 +4,9 @@
 
 namespace scree {
 
+/// Whether rays go on beyond an edge, in the map again or mirrored.
+bool goes_on(Edge edge);
+
 /// A height map that sweeps read rectangles of, at any level of its MIP chain.
 ///
 /// Level l has max(1, floor(n / 2)) texels of level l - 1 along an axis, each the mean of those it

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "visibility/height_grid.h"
+#include "visibility/line_window.h"
 
 namespace scree {
 
@@ -24,18 +25,21 @@ bool goes_along_s(const HeightGrid& grid, double azimuth_rad);
 /// the running maximum of the height above the line of sight.
 ///
 /// Places are texels along the lines, positions lie across them; texel centres are whole numbers.
+/// At place 0 lines are at `offset` beyond whole positions: they are tied to the map, so that
+/// whoever follows a line sees the same.
 class LineSweep {
 public:
     /// cotangents  of the elevations' angles from the normal
-    LineSweep(const HeightGrid& grid, int level, double azimuth_rad, bool along_s,
+    LineSweep(const HeightGrid& grid, int level, double azimuth_rad, bool along_s, double offset,
               const std::vector<double>& cotangents);
 
     [[nodiscard]] const LineDirection& direction() const { return direction_; }
     [[nodiscard]] int level() const { return level_; }
+    [[nodiscard]] double offset() const { return offset_; }
     [[nodiscard]] int first_place() const; ///< of the map, as seen from the viewer
     [[nodiscard]] bool ends() const;       ///< the map does, along the lines
 
-    /// Lines that cover positions [from, to] at a place; nothing is seen so far.
+    /// The lines from before position `from` to after `to` at a place; nothing is seen so far.
     void lay(int place, double from, double to);
 
     /// Positions of the lines at a place, halves included.
@@ -54,29 +58,30 @@ public:
     /// Follows the lines through `steps` places from `place` on.
     void pass(int place, int steps);
 
-    /// The same; of each place the visible areas of the texels at positions [from, from + count):
-    /// E[V W] / cos theta.
+    /// The same; of each place the visible areas of the texels at positions [from, from + count),
+    /// E[V W] / cos theta, are added. Lines that have left these are not followed any more.
     ///
-    /// visible  an elevation: `steps` rows of `count` numbers, in the order of the steps
-    void see(int place, int steps, int from, int count, float* const* visible);
+    /// visible  an elevation: `count` numbers for the first place
+    /// stride   to those of the next
+    void see(int place, int steps, int from, int count, float* const* visible,
+             std::ptrdiff_t stride);
 
 private:
     [[nodiscard]] double across(double place) const;
     void read(int place, int steps);
-    [[nodiscard]] const float* heights_from(int place, int position) const;
-    void go_to(int place);
+    void go_to(int place, int begin, int end);
 
     const HeightGrid& grid_;
     int level_;
     LineDirection direction_;
+    double offset_;
+    LineWindow window_;
+    std::vector<float> scales_;              ///< drops of the line of sight a world unit
     std::vector<double> drops_;              ///< of the line of sight a step, world units
     std::vector<std::vector<float>> maxima_; ///< an elevation: of each line, in drops
-    int origin_ = 0, first_ = 0, count_ = 0; ///< lines are at first_ + j + across(place)
+    int first_ = 0, count_ = 0;              ///< lines are at first_ + j + across(place)
     double end_ = 0;                         ///< the last place, halves included
-    int window_place_ = 0, window_first_ = 0, window_columns_ = 0;
-    std::vector<float> window_, unturned_;           ///< heights, places down, positions across
-    std::vector<float> centre_, edge_, nearer_edge_; ///< heights of the lines where they are
-    std::vector<float> rise_;
+    std::vector<float> centre_, edge_;       ///< heights of the lines where they are
 };
 
 } // namespace scree

@@ -11,6 +11,14 @@ struct TexelBlock {
     int x0 = 0, y0 = 0, width = 0, height = 0;
 };
 
+/// What a sweep costs and how good it is.
+struct SweepOptions {
+    /// Lines whose mean a texel gets, side by side in it; >= 1.
+    int lines_per_texel = 1;
+    /// Texels of a level that a line is followed through before a coarser one does; >= 1.
+    int near_steps = 256;
+};
+
 /// What views from one azimuth, at several elevations, see of a block of texels:
 ///
 ///   v = E[V W] / cos theta
@@ -29,16 +37,17 @@ struct TexelBlock {
 /// its centre sees in it: a sample, of which areas of 4x4 texels and more have enough (figures in
 /// docs/visibility.md).
 ///
-/// Lines begin where nothing beyond can hide the block: up to kNearSteps texels before it on level
-/// 0, then as many texels of each coarser level. Time a texel is constant but for that.
+/// Lines begin where nothing beyond can hide the block: up to near_steps texels before it on level
+/// 0, then as many texels of each coarser level. Time a texel is constant but for that. Lines and
+/// levels lie on the map the same way for all blocks, so a texel's numbers are the same whichever
+/// block it is in, as long as level 0 is enough for the lines' beginnings.
 ///
 /// heights      any
 /// azimuth_rad  of the viewer, from +s towards +t
 /// cotangents   of the angles from the normal, > 0
 /// visible      an elevation: width x height numbers >= 0, row by row; 0 where there is no data
 void sweep(const HeightGrid& heights, const TexelBlock& block, double azimuth_rad,
-           const std::vector<double>& cotangents, float* const* visible);
-
-constexpr int kNearSteps = 256;
+           const std::vector<double>& cotangents, float* const* visible,
+           const SweepOptions& options = {});
 
 } // namespace scree

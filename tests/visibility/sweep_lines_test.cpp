@@ -1,0 +1,247 @@
+// What the lines of a sweep see, against every node of their profiles held against every other; and
+// what does not depend on how a map is cut and turned.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "visibility/line_oracle.h"
+#include "visibility/swept.h"
+
+namespace scree {
+namespace {
+
+using test::heights_of;
+using test::kLineOffset;
+using test::mean_of;
+using test::radians;
+using test::rough_heights;
+using test::shape_of;
+using test::swept;
+using test::whole_block;
+
+const std::vector<double> kThetas = {20, 45, 60, 75, 83};
+
+/// Not less than what rounds the sweep's floats: a height, in drops, to 2^-24 of itself, four of
+/// them a texel. The highest: range 2 over a drop of cot 83 is 16; so 8 * 2^-24 * 16.
+constexpr double kRounding = 8e-6;
+
+long double height_at(const MemoryHeights& grid, int x, int y)
+{
+    float h;
+    grid.read(0, x, y, 1, 1, &h);
+    return static_cast<long double>(h);
+}
+
+/// The bilinear surface.
+long double surface(const MemoryHeights& grid, double s, double t)
+{
+    const int x = static_cast<int>(std::floor(s)), y = static_cast<int>(std::floor(t));
+    const long double u = static_cast<long double>(s - x), v = static_cast<long double>(t - y);
+    return (1 - v) * ((1 - u) * height_at(grid, x, y) + u * height_at(grid, x + 1, y)) +
+           v * ((1 - u) * height_at(grid, x, y + 1) + u * height_at(grid, x + 1, y + 1));
+}
+
+/// What the line nearest to a texel's centre sees in it.
+///
+/// offset  of the lines beyond whole positions at place 0
+long double seen_of_texel(const MemoryHeights& grid, int x, int y, double azimuth_degrees,
+                          double theta_degrees, double offset)
+{
+    const HeightGrid::Shape& shape = grid.shape();
+    const double ds = std::cos(radians(azimuth_degrees)) / shape.texel_width;
+    const double dt = std::sin(radians(azimuth_degrees)) / shape.texel_height;
+    const bool along_s = std::abs(ds) > std::abs(dt);
+    const double run = along_s ? ds : dt, slope = along_s ? dt / ds : ds / dt;
+    const int place = along_s ? x : y, texel = along_s ? y : x;
+    const double line = std::floor(texel + 0.5 - offset - slope * place);
+    const auto profile = [&](double p) {
+        const double position = line + offset + slope * p;
+        return along_s ? surface(grid, p, position) : surface(grid, position, p);
+    };
+    const double cotangent = test::cotangent(theta_degrees);
+    const double length = 1 / std::abs(run);
+    const double range = grid.shape().highest - grid.shape().lowest;
+    const int reach = static_cast<int>(std::ceil(range / cotangent / length)) + 1;
+    return test::seen_of_line(profile, place, run > 0 ? -1 : 1, reach,
+                              static_cast<long double>(length),
+                              static_cast<long double>(cotangent));
+}
+
+struct Lattice {
+    int width, height;
+    Edge edge;
+    double texel_width, texel_height;
+};
+
+TEST(Sweep, SeesWhatNoNodeOfItsLinesHides)
+{
+    const Lattice lattices[] = {{16, 16, Edge::periodic, 1, 1},  {13, 9, Edge::repeat, 1, 1},
+                                {8, 21, Edge::periodic, 2, 0.7}, {1, 11, Edge::periodic, 1, 1},
+                                {5, 1, Edge::repeat, 1, 0.3},    {1, 1, Edge::periodic, 1, 1}};
+    for (const Lattice& l : lattices) {
+        HeightGrid::Shape shape = shape_of(l.width, l.height, l.edge, l.edge);
+        shape.texel_width = l.texel_width;
+        shape.texel_height = l.texel_height;
+        const MemoryHeights grid = rough_heights(shape, 2, 7);
+        // Not the diagonal itself: which axis it is crossed along is up to rounding.
+        for (const double azimuth :
+             {0.0, 11.0, 44.9, 57.0, 90.0, 133.0, 180.0, 201.0, 270.0, 320.0})
+            for (const int lines : {1, 3}) {
+                SweepOptions options;
+                options.lines_per_texel = lines;
+                const auto seen = swept(grid, whole_block(grid), azimuth, kThetas, options);
+                for (size_t k = 0; k < kThetas.size(); ++k)
+                    for (int i = 0; i < l.width * l.height; i += lines == 1 ? 1 : 5) {
+                        const int x = i % l.width, y = i / l.width;
+                        long double want = 0;
+                        for (int line = 0; line < lines; ++line)
+                            want += seen_of_texel(grid, x, y, azimuth, kThetas[k],
+                                                  (line + kLineOffset) / lines) /
+                                    lines;
+                        ASSERT_NEAR(static_cast<double>(seen[k][static_cast<size_t>(i)]),
+                                    static_cast<double>(want), kRounding)
+                            << l.width << " x " << l.height << ", azimuth " << azimuth << ", theta "
+                            << kThetas[k] << ", texel " << x << ", " << y << ", lines " << lines;
+                    }
+            }
+    }
+}
+
+/// All that lines rise by is what they sank by: v is 1 on average, but for what the maxima of the
+/// lines' ends and beginnings differ by: at most the range in drops, over the map's length.
+TEST(Sweep, SeesOneOnAverageOfAMapThatGoesOn)
+{
+    for (const Edge edge : {Edge::periodic, Edge::repeat})
+        for (const auto& [width, height] : {std::pair(64, 64), {63, 31}, {17, 128}}) {
+            HeightGrid::Shape shape = shape_of(width, height, edge, edge);
+            shape.texel_width = 0.6;
+            const MemoryHeights grid = rough_heights(shape, 1, 3);
+            for (double azimuth = 0; azimuth < 360; azimuth += 22.5) {
+                const auto seen = swept(grid, whole_block(grid), azimuth, kThetas);
+                for (size_t k = 0; k < kThetas.size(); ++k) {
+                    const bool along_s = std::abs(std::cos(radians(azimuth))) / 0.6 >
+                                         std::abs(std::sin(radians(azimuth)));
+                    const double length = along_s
+                                              ? width * 0.6 / std::abs(std::cos(radians(azimuth)))
+                                              : height / std::abs(std::sin(radians(azimuth)));
+                    EXPECT_NEAR(mean_of(seen[k]), 1,
+                                1 / test::cotangent(kThetas[k]) / length + 1e-5)
+                        << width << " x " << height << " azimuth " << azimuth << " theta "
+                        << kThetas[k];
+                }
+            }
+        }
+}
+
+/// Where lines come back to where they began nothing is left but rounding.
+TEST(Sweep, SeesExactlyOneOnAverageWhereLinesComeBack)
+{
+    const MemoryHeights grid = rough_heights(shape_of(48, 48), 3, 4);
+    for (const double slope : {0.0, 0.25, 1.0 / 3, 0.5, 0.75})
+        for (const double quadrant : {0.0, 90.0, 180.0, 270.0}) {
+            const double azimuth = quadrant + std::atan(slope) * 180 / test::kPi;
+            const auto seen = swept(grid, whole_block(grid), azimuth, kThetas);
+            for (size_t k = 0; k < kThetas.size(); ++k)
+                EXPECT_NEAR(mean_of(seen[k]), 1, 3 * kRounding)
+                    << "azimuth " << azimuth << " theta " << kThetas[k];
+        }
+}
+
+void expect_part(const std::vector<float>& part, const TexelBlock& block,
+                 const std::vector<float>& whole, int width, double tolerance,
+                 const std::string& where)
+{
+    for (int y = 0; y < block.height; ++y)
+        for (int x = 0; x < block.width; ++x)
+            ASSERT_NEAR(static_cast<double>(part[static_cast<size_t>(y * block.width + x)]),
+                        static_cast<double>(
+                            whole[static_cast<size_t>((block.y0 + y) * width + block.x0 + x)]),
+                        tolerance)
+                << where << ", texel " << x << ", " << y << " of block " << block.x0 << ", "
+                << block.y0;
+}
+
+/// Bit for bit: the lines lie on the map the same way, and begin where nothing hides them.
+TEST(Sweep, SeesTheSameWhateverTheBlock)
+{
+    for (const Edge edge : {Edge::periodic, Edge::repeat, Edge::extend, Edge::zero})
+        for (const double holes : {0.0, 0.1}) {
+            test::Uniform uniform(9);
+            const MemoryHeights grid = heights_of(shape_of(150, 110, edge, edge), [&](int, int) {
+                return uniform() < holes ? std::nan("") : 2 * uniform();
+            });
+            for (double azimuth = 0; azimuth < 360; azimuth += 15) {
+                const auto whole = swept(grid, whole_block(grid), azimuth, kThetas);
+                for (const TexelBlock& block : {TexelBlock{0, 0, 150, 1},
+                                                {149, 0, 1, 110},
+                                                {17, 33, 71, 64},
+                                                {149, 109, 1, 1},
+                                                {64, 0, 64, 64}}) {
+                    const auto part = swept(grid, block, azimuth, kThetas);
+                    for (size_t k = 0; k < kThetas.size(); ++k)
+                        expect_part(part[k], block, whole[k], 150, 0,
+                                    "azimuth " + std::to_string(azimuth));
+                }
+            }
+        }
+}
+
+/// A map whose rows are columns: the same lines.
+TEST(Sweep, SeesATurnedMapTurned)
+{
+    HeightGrid::Shape shape = shape_of(23, 40, Edge::periodic, Edge::repeat);
+    shape.texel_width = 1.5;
+    HeightGrid::Shape turned_shape = shape_of(40, 23, Edge::repeat, Edge::periodic);
+    turned_shape.texel_height = 1.5;
+    std::vector<double> heights;
+    test::Uniform uniform(2);
+    const MemoryHeights grid = heights_of(shape, [&](int, int) {
+        heights.push_back(2 * uniform());
+        return heights.back();
+    });
+    const MemoryHeights turned = heights_of(
+        turned_shape, [&](int x, int y) { return heights[static_cast<size_t>(x * 23 + y)]; });
+    for (double azimuth = 5; azimuth < 360; azimuth += 25) {
+        const auto seen = swept(grid, whole_block(grid), azimuth, kThetas);
+        const auto again = swept(turned, whole_block(turned), 90 - azimuth, kThetas);
+        for (size_t k = 0; k < kThetas.size(); ++k)
+            for (int y = 0; y < 40; ++y)
+                for (int x = 0; x < 23; ++x)
+                    ASSERT_NEAR(static_cast<double>(seen[k][static_cast<size_t>(y * 23 + x)]),
+                                static_cast<double>(again[k][static_cast<size_t>(x * 40 + y)]),
+                                kRounding)
+                        << "azimuth " << azimuth << " texel " << x << ", " << y;
+    }
+}
+
+/// A map turned by half a turn: other lines of the same surface, so the same on average only. The
+/// profile of a map that is the same along one axis is the same, and so are the numbers.
+TEST(Sweep, SeesAMapFromTheOtherSideTurnedRound)
+{
+    test::Uniform uniform(8);
+    std::vector<double> profile(37);
+    for (double& h : profile)
+        h = 2 * uniform();
+    const MemoryHeights grid =
+        heights_of(shape_of(37, 5), [&](int x, int) { return profile[static_cast<size_t>(x)]; });
+    const MemoryHeights round = heights_of(
+        shape_of(37, 5), [&](int x, int) { return profile[static_cast<size_t>(36 - x)]; });
+    for (const double azimuth : {0.0, 20.0, -30.0}) {
+        const auto seen = swept(grid, whole_block(grid), azimuth, kThetas);
+        const auto again = swept(round, whole_block(round), azimuth + 180, kThetas);
+        for (size_t k = 0; k < kThetas.size(); ++k)
+            for (size_t i = 0; i < seen[k].size(); ++i)
+                ASSERT_NEAR(static_cast<double>(seen[k][i]),
+                            static_cast<double>(again[k][i / 37 * 37 + 36 - i % 37]), kRounding)
+                    << "azimuth " << azimuth << " texel " << i;
+    }
+}
+
+} // namespace
+} // namespace scree
