@@ -9,13 +9,15 @@ bool goes_on(Edge edge);
 
 /// A height map that sweeps read rectangles of, at any level of its MIP chain.
 ///
-/// Level l has max(1, floor(n / 2)) texels of level l - 1 along an axis, each the mean of those it
-/// covers. Heights are those of the texel centres, world units, NaN where there is no data.
-/// Thread safe.
+/// Level l has max(1, floor(n / 2)) texels of level l - 1 along an axis. Each stands for what those
+/// it covers hide from afar: halfway between their mean, which hides too little, and the highest of
+/// them, which hides too much (coarser_heights(); figures in docs/visibility.md). Heights are those
+/// of the texel centres, world units, finite or NaN where there is no data. Sweeps reckon in
+/// floats: subtract a large height that all have in common. Thread safe.
 class HeightGrid {
 public:
     struct Shape {
-        int width = 0, height = 0;                ///< texels of level 0
+        int width = 1, height = 1;                ///< texels of level 0; >= 1
         double texel_width = 1, texel_height = 1; ///< world units
         /// What lies beyond; rays go on in a map that repeats or is mirrored (Edge::repeat).
         Edge edge_s = Edge::periodic, edge_t = Edge::periodic;

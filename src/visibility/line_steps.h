@@ -15,24 +15,31 @@ void in_row(const float* row, float f, int count, float* heights);
 /// The same halfway between two rows.
 void between_rows(const float* row, const float* next, float f, int count, float* heights);
 
-/// A step, to a texel's centre and on to its edge: what it makes of the maxima of the height above
-/// the line of sight, which itself drops by 1 a step.
+/// Heights of lines in a step: where a texel begins, at its centre, where it ends. World units, NaN
+/// where there is no surface.
+struct StepHeights {
+    const float *near, *centre, *edge;
+};
+
+/// A step through a texel: what it makes of the maxima of the height above the line of sight, which
+/// itself drops by 1 a step.
 ///
-/// centre, edge  heights; where they are NaN a maximum just falls
-/// scale         to turn them into drops
-/// maxima        before and after, in drops above the line of sight where it is
-void pass_step(const float* centre, const float* edge, float scale, int count, float* maxima);
+/// heights  near is not asked for, the step before has been there; where others are NaN a maximum
+///          just falls
+/// scale    to turn them into drops
+/// maxima   before and after, in drops above the line of sight where it is
+void pass_step(const StepHeights& heights, float scale, int count, float* maxima);
 
 /// The same; what the maxima rise by is added to `visible`.
-void see_step(const float* centre, const float* edge, float scale, int count, float* maxima,
-              float* visible);
+void see_step(const StepHeights& heights, float scale, int count, float* maxima, float* visible);
 
-/// The same where there may be no data.
+/// The same where the surface has ends: what is seen need not be what hides.
 ///
-/// texels  heights of the texels that the lines are in; what lines see where they are NaN is not
-///         added, nor is what has no bound
-void see_step_where(const float* texels, const float* centre, const float* edge, float scale,
-                    int count, float* maxima, float* visible);
+/// texels  heights of the texels that the lines are in; what is seen where they are NaN is left out
+/// hiding  what makes the maxima
+/// shown   what is seen: a number wherever the texel has one
+void see_step_with_ends(const float* texels, const StepHeights& hiding, const StepHeights& shown,
+                        float scale, int count, float* maxima, float* visible);
 
 /// Turns a grid: row r of `from`, `columns` long, becomes column r of `to`.
 ///

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <limits>
 
-#include "visibility/line_steps.h"
-
 namespace scree {
 
 namespace {
@@ -56,7 +54,9 @@ LineDirection::LineDirection(const HeightGrid& grid, int level, double azimuth_r
 LineSweep::LineSweep(const HeightGrid& grid, int level, double azimuth_rad, bool along_s,
                      double offset, const std::vector<double>& cotangents)
     : grid_(grid), level_(level), direction_(grid, level, azimuth_rad, along_s), offset_(offset),
-      window_(grid, level, along_s)
+      has_ends_(grid.shape().holes || !goes_on(grid.shape().edge_s) ||
+                !goes_on(grid.shape().edge_t)),
+      window_(grid, level, along_s), whole_window_(grid, level, along_s)
 {
     for (const double cotangent : cotangents) {
         drops_.push_back(cotangent * direction_.length);
@@ -87,8 +87,8 @@ void LineSweep::lay(int place, double from, double to)
     const auto n = static_cast<size_t>(count_);
     for (auto& maximum : maxima_)
         maximum.assign(n, kLowest);
-    centre_.resize(n);
-    edge_.resize(n);
+    hiding_.resize(n);
+    shown_.resize(n);
 }
 
 int LineSweep::end_before(const LineSweep& fine, int place) const
@@ -128,75 +128,132 @@ void LineSweep::take_over(const LineSweep& coarse, int place)
     }
 }
 
+/// The texel that line 0 is nearest to.
+int LineSweep::nearest(int place) const { return first_ + whole(across(place) + 0.5); }
+
+/// Lines that are nearest to texels of the map; where there are none they end before they begin.
+LineSweep::Lines LineSweep::inside(int place) const
+{
+    const bool s = direction_.along_s;
+    if (ends() && (place < 0 || place >= size_along(grid_, level_, s)))
+        return {count_, 0};
+    if (goes_on(s ? grid_.shape().edge_t : grid_.shape().edge_s))
+        return {0, count_};
+    const int size = size_along(grid_, level_, !s), first = nearest(place);
+    return {std::clamp(-first, 0, count_), std::clamp(size - first, 0, count_)};
+}
+
 /// Reads what the lines touch in some steps, and a row more on both sides.
-void LineSweep::read(int place, int steps)
+void LineSweep::read(int place, int steps, int margin, LineWindow& window) const
 {
     const int end = place + (steps - 1) * direction_.away;
     const int low = std::min(place, end) - 1, high = std::max(place, end) + 1;
     const double a = across(low), b = across(high);
     const int first = first_ + whole(std::min(a, b));
     const int last = first_ + count_ + whole(std::max(a, b));
-    window_.read(low, high - low + 1, first, last - first + 1);
+    window.read(low - margin, high - low + 1 + 2 * margin, first - margin,
+                last - first + 1 + 2 * margin);
 }
 
-/// Heights of lines [begin, end) at the centre of a place and at its edge away from the viewer.
-void LineSweep::go_to(int place, int begin, int end)
+void LineSweep::at_centre(const LineWindow& window, int place, Lines lines,
+                          std::vector<float>& heights) const
 {
-    const int count = end - begin;
-    const int size = size_along(grid_, level_, direction_.along_s);
-    const double centre = across(place), edge = across(place + 0.5 * direction_.away);
-    const int first = first_ + begin;
-    if (ends() && (place < 0 || place >= size)) // the surface begins at the map's edge
-        std::fill_n(centre_.data() + begin, count, kNone);
-    else
-        in_row(window_.heights(place, first + whole(centre)), part(centre), count,
-               centre_.data() + begin);
-    between_rows(window_.heights(place, first + whole(edge)),
-                 window_.heights(place + direction_.away, first + whole(edge)), part(edge), count,
-                 edge_.data() + begin);
+    const double position = across(place);
+    const int first = first_ + lines.begin + whole(position);
+    in_row(window.heights(place, first), part(position), lines.end - lines.begin,
+           heights.data() + lines.begin);
+}
+
+/// Heights at the edge between two places.
+void LineSweep::at_edge(const LineWindow& window, int place, int next, Lines lines,
+                        std::vector<float>& heights) const
+{
+    const double position = across(0.5 * (place + next));
+    const int first = first_ + lines.begin + whole(position);
+    between_rows(window.heights(place, first), window.heights(next, first), part(position),
+                 lines.end - lines.begin, heights.data() + lines.begin);
+}
+
+/// What hides of lines at a place.
+void LineSweep::go_to(int place, Lines lines)
+{
+    const int next = place + direction_.away;
+    at_centre(window_, place, lines, hiding_.centre);
+    at_edge(window_, place, next, lines, hiding_.edge);
     end_ = place + 0.5 * direction_.away;
+    if (!has_ends_)
+        return;
+    const auto keep = [&](int begin, int end, std::vector<float>& heights) {
+        for (int j = lines.begin; j < lines.end; ++j)
+            if (j < begin || j >= end)
+                heights[static_cast<size_t>(j)] = kNone;
+    };
+    const Lines here = inside(place), there = inside(next);
+    keep(here.begin, here.end, hiding_.centre);
+    keep(std::min(here.begin, there.begin), std::max(here.end, there.end), hiding_.edge);
+}
+
+/// What lines show of the texels of a place.
+void LineSweep::show(int place, Lines lines)
+{
+    at_edge(whole_window_, place - direction_.away, place, lines, shown_.near);
+    at_centre(whole_window_, place, lines, shown_.centre);
+    at_edge(whole_window_, place, place + direction_.away, lines, shown_.edge);
 }
 
 void LineSweep::pass(int place, int steps)
 {
     for (int done = 0; done < steps; ++done) {
         if (done % kStretch == 0)
-            read(place + done * direction_.away, std::min(kStretch, steps - done));
-        go_to(place + done * direction_.away, 0, count_);
+            read(place + done * direction_.away, std::min(kStretch, steps - done), 0, window_);
+        go_to(place + done * direction_.away, {0, count_});
         for (size_t k = 0; k < scales_.size(); ++k)
-            pass_step(centre_.data(), edge_.data(), scales_[k], count_, maxima_[k].data());
+            pass_step(hiding_.from(0), scales_[k], count_, maxima_[k].data());
     }
 }
 
 void LineSweep::see(int place, int steps, int from, int count, float* const* visible,
                     ptrdiff_t stride)
 {
-    const HeightGrid::Shape& shape = grid_.shape();
-    const bool all = !shape.holes && goes_on(shape.edge_s) && goes_on(shape.edge_t);
     for (int done = 0; done < steps; ++done) {
-        if (done % kStretch == 0)
-            read(place + done * direction_.away, std::min(kStretch, steps - done));
         const int here = place + done * direction_.away;
-        // Line j is nearest to the texel at nearest + j.
-        const int nearest = first_ + whole(across(here) + 0.5);
-        const int begin = from - nearest, end = begin + count;
-        // Those that are still to come lie before it or behind.
-        const int pass_begin = direction_.shift > 0 ? 0 : end;
-        const int pass_end = direction_.shift > 0 ? begin : count_;
-        go_to(here, std::min(pass_begin, begin), std::max(pass_end, end));
+        if (done % kStretch == 0) {
+            read(here, std::min(kStretch, steps - done), 0, window_);
+            if (has_ends_) {
+                read(here, std::min(kStretch, steps - done), LineWindow::kMargin, whole_window_);
+                whole_window_.make_whole();
+            }
+        }
+        const int begin = from - nearest(here), end = begin + count;
+        // Those that are still to come lie before these or behind.
+        const Lines ahead = direction_.shift > 0 ? Lines{0, begin} : Lines{end, count_};
+        go_to(here, {std::min(ahead.begin, begin), std::max(ahead.end, end)});
+        if (has_ends_)
+            show(here, {begin, end});
         for (size_t k = 0; k < scales_.size(); ++k) {
             float* maxima = maxima_[k].data();
             float* seen = visible[k] + done * stride;
-            pass_step(centre_.data() + pass_begin, edge_.data() + pass_begin, scales_[k],
-                      pass_end - pass_begin, maxima + pass_begin);
-            if (all)
-                see_step(centre_.data() + begin, edge_.data() + begin, scales_[k], count,
-                         maxima + begin, seen);
+            pass_step(hiding_.from(ahead.begin), scales_[k], ahead.end - ahead.begin,
+                      maxima + ahead.begin);
+            if (has_ends_)
+                see_step_with_ends(window_.heights(here, from), hiding_.from(begin),
+                                   shown_.from(begin), scales_[k], count, maxima + begin, seen);
             else
-                see_step_where(window_.texels(here, from), centre_.data() + begin,
-                               edge_.data() + begin, scales_[k], count, maxima + begin, seen);
+                see_step(hiding_.from(begin), scales_[k], count, maxima + begin, seen);
         }
     }
+}
+
+void LineSweep::Heights::resize(size_t count)
+{
+    near.resize(count);
+    centre.resize(count);
+    edge.resize(count);
+}
+
+StepHeights LineSweep::Heights::from(int line) const
+{
+    return {near.data() + line, centre.data() + line, edge.data() + line};
 }
 
 } // namespace scree

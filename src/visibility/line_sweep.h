@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "visibility/height_grid.h"
+#include "visibility/line_steps.h"
 #include "visibility/line_window.h"
 
 namespace scree {
@@ -67,21 +69,40 @@ public:
              std::ptrdiff_t stride);
 
 private:
+    struct Lines {
+        int begin, end;
+    };
+    /// Heights of all lines in a step.
+    struct Heights {
+        std::vector<float> near, centre, edge;
+        void resize(size_t count);
+        [[nodiscard]] StepHeights from(int line) const;
+    };
+
     [[nodiscard]] double across(double place) const;
-    void read(int place, int steps);
-    void go_to(int place, int begin, int end);
+    [[nodiscard]] int nearest(int place) const;
+    [[nodiscard]] Lines inside(int place) const;
+    void read(int place, int steps, int margin, LineWindow& window) const;
+    void at_centre(const LineWindow& window, int place, Lines lines,
+                   std::vector<float>& heights) const;
+    void at_edge(const LineWindow& window, int place, int next, Lines lines,
+                 std::vector<float>& heights) const;
+    void go_to(int place, Lines lines);
+    void show(int place, Lines lines);
 
     const HeightGrid& grid_;
     int level_;
     LineDirection direction_;
     double offset_;
-    LineWindow window_;
+    bool has_ends_;                          ///< the surface: borders or holes
     std::vector<float> scales_;              ///< drops of the line of sight a world unit
     std::vector<double> drops_;              ///< of the line of sight a step, world units
     std::vector<std::vector<float>> maxima_; ///< an elevation: of each line, in drops
     int first_ = 0, count_ = 0;              ///< lines are at first_ + j + across(place)
     double end_ = 0;                         ///< the last place, halves included
-    std::vector<float> centre_, edge_;       ///< heights of the lines where they are
+    LineWindow window_, whole_window_;
+    Heights hiding_; ///< what hides: cells between texels with data, inside the map
+    Heights shown_;  ///< of texels that have data, up to their edges
 };
 
 } // namespace scree

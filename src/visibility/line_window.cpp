@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 
 #include "visibility/line_steps.h"
 
@@ -43,42 +42,30 @@ float continued(const float* h, ptrdiff_t stride)
 
 void LineWindow::read(int place, int places, int position, int positions)
 {
-    const int margin = completes() ? 2 : 0;
-    place_ = place - margin;
-    position_ = position - margin;
-    rows_ = places + 2 * margin;
-    columns_ = positions + 2 * margin;
-    whole_.resize(static_cast<size_t>(rows_) * static_cast<size_t>(columns_));
+    place_ = place;
+    position_ = position;
+    rows_ = places;
+    columns_ = positions;
+    heights_.resize(static_cast<size_t>(places) * static_cast<size_t>(positions));
     if (along_s_) {
-        unturned_.resize(whole_.size());
-        grid_.read(level_, place_, position_, rows_, columns_, unturned_.data());
-        turn(unturned_.data(), columns_, rows_, whole_.data(), columns_);
+        other_.resize(heights_.size());
+        grid_.read(level_, place, position, places, positions, other_.data());
+        turn(other_.data(), positions, places, heights_.data(), positions);
     } else {
-        grid_.read(level_, position_, place_, columns_, rows_, whole_.data());
+        grid_.read(level_, position, place, positions, places, heights_.data());
     }
-    if (completes())
-        complete();
 }
 
-/// Makes up heights, up to one texel beyond a map that ends.
-void LineWindow::complete()
+void LineWindow::make_whole()
 {
-    given_ = whole_;
-    const HeightGrid::Shape& shape = grid_.shape();
-    const auto inside = [](int first, int count, int size, Edge edge) {
-        const bool ends = !goes_on(edge);
-        return std::pair(ends ? std::max(2, -1 - first) : 2,
-                         ends ? std::min(count - 2, size + 1 - first) : count - 2);
-    };
-    const auto [first_s, end_s] = inside(along_s_ ? place_ : position_, along_s_ ? rows_ : columns_,
-                                         shape.width, shape.edge_s);
-    const auto [first_t, end_t] = inside(along_s_ ? position_ : place_, along_s_ ? columns_ : rows_,
-                                         shape.height, shape.edge_t);
-    for (int row = along_s_ ? first_s : first_t; row < (along_s_ ? end_s : end_t); ++row)
-        for (int c = along_s_ ? first_t : first_s; c < (along_s_ ? end_t : end_s); ++c) {
-            const ptrdiff_t i = static_cast<ptrdiff_t>(row) * columns_ + c;
-            if (std::isnan(given_[static_cast<size_t>(i)]))
-                whole_[static_cast<size_t>(i)] = continued(given_.data() + i, columns_);
+    if (!grid_.shape().holes)
+        return;
+    other_ = heights_;
+    for (int row = kMargin; row < rows_ - kMargin; ++row)
+        for (int column = kMargin; column < columns_ - kMargin; ++column) {
+            const ptrdiff_t i = static_cast<ptrdiff_t>(row) * columns_ + column;
+            if (float& height = heights_[static_cast<size_t>(i)]; std::isnan(height))
+                height = continued(other_.data() + i, columns_);
         }
 }
 

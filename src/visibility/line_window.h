@@ -8,11 +8,6 @@
 namespace scree {
 
 /// Heights under lines side by side: rows are places along the lines, columns positions across.
-///
-/// On level 0 a texel without data beside some with data gets a height made up so that a plane
-/// stays a plane, the mean of what the texels around it and those behind them continue to: texels
-/// with data then have surface up to their edges. The statistics make one up for each neighbour
-/// alone (stats/height_rows.h), which differs where the surface is curved.
 class LineWindow {
 public:
     /// along_s  places are texels along s
@@ -22,31 +17,29 @@ public:
 
     void read(int place, int places, int position, int positions);
 
+    /// Makes up heights of texels without data beside some with data, so that a plane stays a
+    /// plane: the mean of what the texels around one and those behind them continue to (of the
+    /// texels around it where none has data behind). So texels with data have surface up to their
+    /// edges. The statistics make one up for each neighbour
+    /// alone (stats/height_rows.h), which differs where the surface is curved.
+    ///
+    /// The outermost rows and columns stay as they are, kMargin of them.
+    void make_whole();
+    static constexpr int kMargin = 2;
+
     /// Heights of a place from a position on; NaN where there is none.
     [[nodiscard]] const float* heights(int place, int position) const
     {
-        return whole_.data() + at(place, position);
-    }
-
-    /// The same, with nothing made up.
-    [[nodiscard]] const float* texels(int place, int position) const
-    {
-        return (completes() ? given_.data() : whole_.data()) + at(place, position);
+        return heights_.data() + static_cast<std::ptrdiff_t>(place - place_) * columns_ +
+               (position - position_);
     }
 
 private:
-    [[nodiscard]] bool completes() const { return level_ == 0 && grid_.shape().holes; }
-    [[nodiscard]] std::ptrdiff_t at(int place, int position) const
-    {
-        return static_cast<std::ptrdiff_t>(place - place_) * columns_ + (position - position_);
-    }
-    void complete();
-
     const HeightGrid& grid_;
     int level_;
     bool along_s_;
     int place_ = 0, position_ = 0, rows_ = 0, columns_ = 0;
-    std::vector<float> whole_, given_, unturned_;
+    std::vector<float> heights_, other_; ///< the other: before it is turned, or made whole
 };
 
 } // namespace scree

@@ -33,16 +33,17 @@ void coarser_heights(const float* const* fine_rows, const double* row_shares, in
     const int width = coarser_size(fine_width);
     for (int x = 0; x < width; ++x) {
         const Share columns = share_of(x, fine_width, width);
-        double sum = 0, weight = 0;
+        double sum = 0, weight = 0, highest = -std::numeric_limits<double>::infinity();
         for (int j = 0; j < rows; ++j)
             for (int i = 0; i < columns.count; ++i) {
                 const auto h = static_cast<double>(fine_rows[j][columns.first + i]);
                 const double share = std::isnan(h) ? 0 : row_shares[j] * columns.parts[i];
                 sum += share > 0 ? share * h : 0;
+                highest = share > 0 && h > highest ? h : highest;
                 weight += share;
             }
-        coarse[x] =
-            weight > 0 ? static_cast<float>(sum / weight) : std::numeric_limits<float>::quiet_NaN();
+        coarse[x] = weight > 0 ? static_cast<float>(0.5 * (sum / weight + highest))
+                               : std::numeric_limits<float>::quiet_NaN();
     }
 }
 

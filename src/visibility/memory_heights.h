@@ -20,8 +20,8 @@ private:
     std::vector<std::vector<float>> levels_;
 };
 
-/// A row of a level from the rows of the level above it: means of the heights there are, NaN where
-/// there are none.
+/// A row of a level from the rows of the level above it: halfway between the mean and the highest
+/// of the heights there are, NaN where there are none.
 ///
 /// fine_rows     those that share_of(row, ...) along t names
 /// coarse        coarser_size(fine_width) heights

@@ -1,6 +1,7 @@
 #include "visibility/sweep.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -135,6 +136,7 @@ void BlockSweep::run(const TexelBlock& block, float* const* visible) const
     const int lines = options_.lines_per_texel;
     const auto texels = static_cast<ptrdiff_t>(block.width) * block.height;
     std::vector<LineSweep> sweeps;
+    sweeps.reserve(static_cast<size_t>(lines));
     for (int i = 0; i < lines; ++i)
         sweeps.push_back(lines_before(block, (i + kLineOffset) / lines));
     for (size_t k = 0; k < cotangents_.size(); ++k)
@@ -156,6 +158,10 @@ void sweep(const HeightGrid& heights, const TexelBlock& block, double azimuth_ra
            const std::vector<double>& cotangents, float* const* visible,
            const SweepOptions& options)
 {
+    assert(block.x0 >= 0 && block.width > 0 && block.x0 + block.width <= heights.width(0));
+    assert(block.y0 >= 0 && block.height > 0 && block.y0 + block.height <= heights.height(0));
+    assert(!cotangents.empty() && *std::min_element(cotangents.begin(), cotangents.end()) > 0);
+    assert(options.lines_per_texel > 0 && options.near_steps > 0);
     BlockSweep(heights, azimuth_rad, cotangents, options).run(block, visible);
 }
 

@@ -6,16 +6,20 @@
 
 namespace scree {
 
-/// A rectangle of level-0 texels, inside the map.
+/// A rectangle of level-0 texels, inside the map; width, height >= 1.
 struct TexelBlock {
     int x0 = 0, y0 = 0, width = 0, height = 0;
 };
 
 /// What a sweep costs and how good it is.
 struct SweepOptions {
-    /// Lines whose mean a texel gets, side by side in it; >= 1.
-    int lines_per_texel = 1;
-    /// Texels of a level that a line is followed through before a coarser one does; >= 1.
+    /// Lines side by side in a texel, whose mean it gets; >= 1. Time goes with their number, and
+    /// one over what small areas are off by: between neighbouring lines is what a texel may show.
+    int lines_per_texel = 2;
+    /// Texels of a level that a line is followed through, before that it is on a coarser one; >= 1.
+    /// Of hills upon hills, 90 texels from low to high, the mean v of 16x16 texels is off by less
+    /// than 0.004 at 80 degrees, 0.015 at 85, 0.025 at 87 (root mean square); half as many steps,
+    /// about twice the error.
     int near_steps = 256;
 };
 
@@ -26,16 +30,19 @@ struct SweepOptions {
 /// over the texel, W the projected area of the surface towards the view, V whether it is visible;
 /// 1 on a plane, and on average over a map that goes on.
 ///
-/// Lines run towards the viewer, one texel apart, and are followed away from him. With the height
-/// above the line of sight g = h - d cot theta, d the distance towards the viewer, a point is
-/// visible where no g nearer to him is higher; so the visible area, projected, is what the running
-/// maximum of g rises by. No horizon is kept, no slope is needed, and the areas of a line add up to
-/// its length times cos theta whatever the heights are. Derived in docs/visibility.md.
+/// Lines run towards the viewer, one texel apart or less, and are followed away from him. With the
+/// height above the line of sight g = h - d cot theta, d the distance towards the viewer, a point
+/// is visible where no g nearer to him is higher; so the visible area, projected, is what the
+/// running maximum of g rises by. No horizon is kept, no slope is needed, and the areas of a line
+/// add up to its length times cos theta whatever the heights are. Derived in docs/visibility.md.
 ///
 /// A line's profile is the bilinear surface at the rows (or columns, whichever it crosses faster)
-/// of texel centres and halfway between, straight in between. A texel gets what the line nearest to
-/// its centre sees in it: a sample, of which areas of 4x4 texels and more have enough (figures in
+/// of texel centres and halfway between, straight in between. A texel gets what the lines nearest
+/// to its centre see in it: samples, of which areas of 4x4 texels and more have enough (figures in
 /// docs/visibility.md).
+///
+/// Cells between texels without data, and beyond a map that ends, hide nothing; texels beside them
+/// are seen up to their edges (LineWindow::make_whole()).
 ///
 /// Lines begin where nothing beyond can hide the block: up to near_steps texels before it on level
 /// 0, then as many texels of each coarser level. Time a texel is constant but for that. Lines and
@@ -44,7 +51,7 @@ struct SweepOptions {
 ///
 /// heights      any
 /// azimuth_rad  of the viewer, from +s towards +t
-/// cotangents   of the angles from the normal, > 0
+/// cotangents   of the angles from the normal, > 0; at least one
 /// visible      an elevation: width x height numbers >= 0, row by row; 0 where there is no data
 void sweep(const HeightGrid& heights, const TexelBlock& block, double azimuth_rad,
            const std::vector<double>& cotangents, float* const* visible,

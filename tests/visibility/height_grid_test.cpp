@@ -65,8 +65,7 @@ void expect_window(const HeightGrid& grid, int x0, int y0, int columns, int rows
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
             const double want = expected(grid.shape(), x0 + column, y0 + row);
-            const auto got =
-                static_cast<double>(heights[static_cast<size_t>(row * columns + column)]);
+            const auto got = static_cast<double>(heights[test::index_of(column, row, columns)]);
             ASSERT_TRUE(std::isnan(want) ? std::isnan(got) : got == want)
                 << "texel " << x0 + column << ", " << y0 + row << " of " << grid.shape().width
                 << " x " << grid.shape().height << ": " << got << ", not " << want << "; edges "

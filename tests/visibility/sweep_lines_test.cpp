@@ -16,7 +16,9 @@
 namespace scree {
 namespace {
 
+using test::around;
 using test::heights_of;
+using test::index_of;
 using test::kLineOffset;
 using test::mean_of;
 using test::radians;
@@ -122,7 +124,7 @@ TEST(Sweep, SeesOneOnAverageOfAMapThatGoesOn)
             HeightGrid::Shape shape = shape_of(width, height, edge, edge);
             shape.texel_width = 0.6;
             const MemoryHeights grid = rough_heights(shape, 1, 3);
-            for (double azimuth = 0; azimuth < 360; azimuth += 22.5) {
+            for (const double azimuth : around(16)) {
                 const auto seen = swept(grid, whole_block(grid), azimuth, kThetas);
                 for (size_t k = 0; k < kThetas.size(); ++k) {
                     const bool along_s = std::abs(std::cos(radians(azimuth))) / 0.6 >
@@ -159,9 +161,8 @@ void expect_part(const std::vector<float>& part, const TexelBlock& block,
 {
     for (int y = 0; y < block.height; ++y)
         for (int x = 0; x < block.width; ++x)
-            ASSERT_NEAR(static_cast<double>(part[static_cast<size_t>(y * block.width + x)]),
-                        static_cast<double>(
-                            whole[static_cast<size_t>((block.y0 + y) * width + block.x0 + x)]),
+            ASSERT_NEAR(static_cast<double>(part[index_of(x, y, block.width)]),
+                        static_cast<double>(whole[index_of(block.x0 + x, block.y0 + y, width)]),
                         tolerance)
                 << where << ", texel " << x << ", " << y << " of block " << block.x0 << ", "
                 << block.y0;
@@ -176,7 +177,7 @@ TEST(Sweep, SeesTheSameWhateverTheBlock)
             const MemoryHeights grid = heights_of(shape_of(150, 110, edge, edge), [&](int, int) {
                 return uniform() < holes ? std::nan("") : 2 * uniform();
             });
-            for (double azimuth = 0; azimuth < 360; azimuth += 15) {
+            for (const double azimuth : around(24)) {
                 const auto whole = swept(grid, whole_block(grid), azimuth, kThetas);
                 for (const TexelBlock& block : {TexelBlock{0, 0, 150, 1},
                                                 {149, 0, 1, 110},
@@ -205,17 +206,16 @@ TEST(Sweep, SeesATurnedMapTurned)
         heights.push_back(2 * uniform());
         return heights.back();
     });
-    const MemoryHeights turned = heights_of(
-        turned_shape, [&](int x, int y) { return heights[static_cast<size_t>(x * 23 + y)]; });
-    for (double azimuth = 5; azimuth < 360; azimuth += 25) {
+    const MemoryHeights turned =
+        heights_of(turned_shape, [&](int x, int y) { return heights[index_of(y, x, 23)]; });
+    for (const double azimuth : around(17)) { // no diagonal: which way it is crossed is open
         const auto seen = swept(grid, whole_block(grid), azimuth, kThetas);
         const auto again = swept(turned, whole_block(turned), 90 - azimuth, kThetas);
         for (size_t k = 0; k < kThetas.size(); ++k)
             for (int y = 0; y < 40; ++y)
                 for (int x = 0; x < 23; ++x)
-                    ASSERT_NEAR(static_cast<double>(seen[k][static_cast<size_t>(y * 23 + x)]),
-                                static_cast<double>(again[k][static_cast<size_t>(x * 40 + y)]),
-                                kRounding)
+                    ASSERT_NEAR(static_cast<double>(seen[k][index_of(x, y, 23)]),
+                                static_cast<double>(again[k][index_of(y, x, 40)]), kRounding)
                         << "azimuth " << azimuth << " texel " << x << ", " << y;
     }
 }

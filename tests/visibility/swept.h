@@ -68,6 +68,21 @@ inline std::vector<std::vector<float>> swept(const HeightGrid& grid, const Texel
     return visible;
 }
 
+/// Azimuths all around, degrees.
+inline std::vector<double> around(int count)
+{
+    std::vector<double> azimuths(static_cast<size_t>(count));
+    for (size_t i = 0; i < azimuths.size(); ++i)
+        azimuths[i] = 360.0 / count * static_cast<double>(i);
+    return azimuths;
+}
+
+/// Of a texel in rows of `width`.
+inline size_t index_of(int x, int y, int width)
+{
+    return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+}
+
 inline double mean_of(const std::vector<float>& values)
 {
     double sum = 0;
