@@ -693,22 +693,23 @@ SCREE_FUNCTION Real scree_visible_area(Real z, Real a)
     return max(LIT(1.0) + a, LIT(0.0)) * max(z, LIT(0.0));
 }
 
-/// Visible color by measured visibility: E[c v] / v, with v = 1 + a of at least 1/32,
+/// Visible color by measured visibility: E[c v] / v, with v = 1 + a of at least 1/4,
 ///
-///   max(c + (beta - a c) / max(v, 1/32), 0)
+///   max(c + (beta - a c) / max(v, 1/4), 0)
 ///
-/// Where less than 1/32 is seen the mean color stands in for what is missing: with d = 1/32 this is
+/// Where less than 1/4 is seen the mean color stands in for what is missing: with d = 1/4 this is
 /// (E[c v] + (d - v) c) / d. So it is continuous and finite for v = 0 and below, where harmonics
 /// and filters with negative lobes may take it, and a color that visibility does not depend on
-/// (beta = a c) is seen as it is, whatever a.
+/// (beta = a c) is seen as it is, whatever a. A smaller d was measured to be worse on fine levels,
+/// where few harmonics ring the most, and no better on coarse ones.
 ///
 /// c        E[c];  beta, a  as above: all three filtered alike
 /// returns  at least 0
-/// error    in single precision 32 roundings of c at v = 1/32, those of a and beta as stored
+/// error    at v = 1/4 four times that of beta and of a c as stored, and a few roundings of them
 /// source   docs/filtering.md
 SCREE_FUNCTION Real scree_color_by_visibility(Real c, Real beta, Real a)
 {
-    return max(c + (beta - a * c) / max(LIT(1.0) + a, LIT(0.03125)), LIT(0.0));
+    return max(c + (beta - a * c) / max(LIT(1.0) + a, LIT(0.25)), LIT(0.0));
 }
 
 /// Color of what is both seen and lit, from those of what is seen and of what is lit: the product

@@ -247,7 +247,7 @@ void set_table_outputs(const KernelCase& row, Set&& set)
         set(kSin1, sin(phi)), set(kSin2, sin(2 * phi));
     }
 
-    const Real c = in[kTableC], beta = in[kBeta], v = 1 + Real(in[kA]), d = Real(1) / 32;
+    const Real c = in[kTableC], beta = in[kBeta], v = 1 + Real(in[kA]), d = Real(1) / 4;
     set(kVisibleArea, v > 0 && cosine > 0 ? Real(v * cosine) : Real(0));
     const Real of_seen = c + beta; // E[c v]
     const Real view =

@@ -286,14 +286,17 @@ TEST(ColorByVisibility, OfOneColorIsThatColorWhateverIsSeen)
 TEST(ColorByVisibility, StaysFiniteAndContinuousWhereNothingIsSeen)
 {
     EXPECT_EQ(kernel::scree_color_by_visibility(0.3, -0.3, -1.0), 0.3) << "nothing: the mean color";
-    // With 1/64 seen, all of it red 0.8, the other half of 1/32 is the mean color.
-    EXPECT_NEAR(kernel::scree_color_by_visibility(0.3, 0.8 / 64 - 0.3, 1.0 / 64 - 1),
+    // With 1/8 seen, all of it red 0.8, the other half of 1/4 is the mean color.
+    EXPECT_NEAR(kernel::scree_color_by_visibility(0.3, 0.8 / 8 - 0.3, 1.0 / 8 - 1),
                 0.5 * (0.8 + 0.3), 1e-14);
+    // From 1/4 on it is what is seen.
+    for (const double v : {0.25, 0.3, 1.0})
+        EXPECT_NEAR(kernel::scree_color_by_visibility(0.3, 0.8 * v - 0.3, v - 1), 0.8, 1e-14) << v;
     double before = kernel::scree_color_by_visibility(0.3, -0.31, -1.2);
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < 8000; ++i) {
         const double a = -1.2 + 1e-4 * i;
         const double now = kernel::scree_color_by_visibility(0.3, -0.31, a);
-        EXPECT_LT(std::abs(now - before), 32 * 0.8 * 1e-4) << a;
+        EXPECT_LT(std::abs(now - before), 4 * 0.8 * 1e-4) << a;
         EXPECT_GE(now, 0);
         before = now;
     }

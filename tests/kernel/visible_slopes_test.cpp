@@ -317,7 +317,7 @@ const Tolerance kTolerances[] = {
 /// Largest term of the visible color by tables.
 double table_unit(const KernelCase& row, const Outputs<double>& want)
 {
-    const double c = at(row, kTableC), a = at(row, kA), v = std::max(1 + a, 1.0 / 32);
+    const double c = at(row, kTableC), a = at(row, kA), v = std::max(1 + a, 1.0 / 4);
     return std::max(
         {at(want, kByVisibility), c, std::abs(at(row, kBeta)) / v, std::abs(a * c) / v});
 }
