@@ -83,14 +83,17 @@ Real visible_area(const VisibilityTable<Real>& table, const Vec3<Real>& w)
     return kernel::scree_visible_area(w.z, visibility(table, w).a);
 }
 
-/// Color of what is both seen and lit; seen, lit  visible_color() of the view and of the light.
+/// Color of what is both seen and lit.
+///
+/// seen, lit  visible_color() of the view and of the light;  wo, wi  the two directions
 template <typename Real>
 Vec3<Real> color_seen_and_lit(const Vec3<Real>& color, const Vec3<Real>& seen,
-                              const Vec3<Real>& lit)
+                              const Vec3<Real>& lit, const Vec3<Real>& wo, const Vec3<Real>& wi)
 {
+    const Real together = kernel::scree_view_light_overlap(wo.x, wo.y, wi.x, wi.y);
     Vec3<Real> out;
     for (int i = 0; i < 3; ++i)
-        out[i] = kernel::scree_color_seen_and_lit(color[i], seen[i], lit[i]);
+        out[i] = kernel::scree_color_seen_and_lit(color[i], seen[i], lit[i], together);
     return out;
 }
 

@@ -245,12 +245,13 @@ color scree_table_color(string folder, string name, float s, float t, vector w, 
                  scree_color_by_visibility(c[2], beta[2], a));
 }
 
-// Color of what is both seen and lit. seen, lit: scree_table_color of view and light.
-color scree_table_color_lit(color c, color seen, color lit)
+// Color of what is both seen and lit. seen, lit: scree_table_color of view and light, wo and wi.
+color scree_table_color_lit(color c, color seen, color lit, vector wo, vector wi)
 {
-    return color(scree_color_seen_and_lit(c[0], seen[0], lit[0]),
-                 scree_color_seen_and_lit(c[1], seen[1], lit[1]),
-                 scree_color_seen_and_lit(c[2], seen[2], lit[2]));
+    float together = scree_view_light_overlap(wo[0], wo[1], wi[0], wi[1]);
+    return color(scree_color_seen_and_lit(c[0], seen[0], lit[0], together),
+                 scree_color_seen_and_lit(c[1], seen[1], lit[1], together),
+                 scree_color_seen_and_lit(c[2], seen[2], lit[2], together));
 }
 
 // Visible color of a set for a view w in its frame.
@@ -286,8 +287,8 @@ color scree_visible_color(string folder, string name, float s, float t, float he
     else if (color_model == 4)
         result = scree_table_color(folder, name, s, t, w, c);
     if (color_model == 4 && dot(light, light) > 0)
-        result =
-            scree_table_color_lit(c, result, scree_table_color(folder, name, s, t, light, c));
+        result = scree_table_color_lit(
+            c, result, scree_table_color(folder, name, s, t, light, c), w, light);
     if (add_slope)
         result = max(color(0),
                      result - c + scree_slope_color(folder, name, s, t, height_scale, w, f, c));

@@ -107,12 +107,15 @@ vec3 scree_table_color(vec3 color, vec4 visibility)
                 scree_color_by_visibility(color.b, visibility.b, visibility.a));
 }
 
-/// Color of what is both seen and lit; seen, lit: scree_table_color of view and light.
-vec3 scree_table_color_lit(vec3 color, vec3 seen, vec3 lit)
+/// Color of what is both seen and lit.
+///
+/// seen, lit  scree_table_color of view and light;  wo, wi  the two directions
+vec3 scree_table_color_lit(vec3 color, vec3 seen, vec3 lit, vec3 wo, vec3 wi)
 {
-    return vec3(scree_color_seen_and_lit(color.r, seen.r, lit.r),
-                scree_color_seen_and_lit(color.g, seen.g, lit.g),
-                scree_color_seen_and_lit(color.b, seen.b, lit.b));
+    float together = scree_view_light_overlap(wo.x, wo.y, wi.x, wi.y);
+    return vec3(scree_color_seen_and_lit(color.r, seen.r, lit.r, together),
+                scree_color_seen_and_lit(color.g, seen.g, lit.g, together),
+                scree_color_seen_and_lit(color.b, seen.b, lit.b, together));
 }
 
 #endif

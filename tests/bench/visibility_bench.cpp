@@ -74,9 +74,9 @@ void visible_color(benchmark::State& state)
                                    const scree::filter::VisibilityTable<float>& table,
                                    const V3f& view, const V3f& light)
 {
-    return scree::filter::color_seen_and_lit(color,
-                                             scree::filter::visible_color(color, table, view),
-                                             scree::filter::visible_color(color, table, light));
+    return scree::filter::color_seen_and_lit(
+        color, scree::filter::visible_color(color, table, view),
+        scree::filter::visible_color(color, table, light), view, light);
 }
 
 void color_seen_and_lit(benchmark::State& state)

@@ -28,14 +28,14 @@ V3f visible_by_rank(const V3f& color, const V3f (&a)[4], float exponent)
     return filter::color_by_rank(color, a, 4, exponent);
 }
 
-// Of a set with visibility tables, what is seen and lit: a table is one filtered lookup in all channels
-// of NAME.visible.exr, and the nodes in its header.
+// Of a set with visibility tables, what is seen and lit: a table is one filtered lookup in all
+// channels of NAME.visible.exr, and the nodes in its header.
 V3f visible_by_tables(const V3f& color, const filter::VisibilityTable<float>& table,
                       const V3f& to_viewer, const V3f& to_light)
 {
     const V3f seen = filter::visible_color(color, table, to_viewer);
     const V3f lit = filter::visible_color(color, table, to_light);
-    return filter::color_seen_and_lit(color, seen, lit);
+    return filter::color_seen_and_lit(color, seen, lit, to_viewer, to_light);
 }
 
 // Of a set with a color map by height: where NAME.map.exr is to be looked up, bilinear, clamped and

@@ -15,7 +15,7 @@ SCREE_FUNCTION void case_outputs(
     OUT(Real, specular), OUT(Real, diffuse), OUT(Real, projected), OUT(Real, along),
     OUT(Real, steepness), OUT(Real, steepness_spread), OUT(Real, coordinate), OUT(Real, share),
     OUT(Real, cos1), OUT(Real, cos2), OUT(Real, sin1), OUT(Real, sin2), OUT(Real, visible_area),
-    OUT(Real, by_visibility), OUT(Real, seen_and_lit), OUT(Real, corrected))
+    OUT(Real, by_visibility), OUT(Real, overlap), OUT(Real, seen_and_lit), OUT(Real, corrected))
 {
     scree_covariance(raw_s, raw_t, raw_ss, raw_st, raw_tt, css, cst, ctt);
     scree_visible_slopes(wox, woy, woz, s, t, ss, st, tt, tau, area, vs, vt, vss, vst, vtt);
@@ -39,7 +39,8 @@ SCREE_FUNCTION void case_outputs(
     scree_azimuth_harmonics(wox, woy, cos1, cos2, sin1, sin2);
     visible_area = scree_visible_area(woz, a);
     by_visibility = scree_color_by_visibility(table_c, beta, a);
-    seen_and_lit = scree_color_seen_and_lit(table_c, by_visibility, lit_c);
+    overlap = scree_view_light_overlap(wox, woy, wix, wiy);
+    seen_and_lit = scree_color_seen_and_lit(table_c, by_visibility, lit_c, overlap);
     corrected = scree_corrected_exponent(lambda, gain, bend);
 
     scree_beckmann_roughness(ss, st, tt, base_alpha, alpha_x, alpha_y, angle_rad);

@@ -255,6 +255,7 @@ const char* output_name(int output)
                                                 "sin 2 phi",
                                                 "visible area",
                                                 "color by visibility",
+                                                "overlap of view and light",
                                                 "color seen and lit",
                                                 "corrected exponent"};
     return names[output];

@@ -88,6 +88,7 @@ enum Output : int {
     kSin2,
     kVisibleArea,
     kByVisibility,
+    kOverlap,
     kSeenAndLit,
     kCorrected,
     kOutputs

@@ -253,9 +253,14 @@ void set_table_outputs(const KernelCase& row, Set&& set)
     const Real view =
         std::max<Real>(0, v >= d ? Real(of_seen / v) : Real((of_seen + (d - v) * c) / d));
     set(kByVisibility, view);
-    const Real light = in[kLitC];
-    set(kSeenAndLit,
-        c > 0 ? std::min<Real>(view * light / c, 4 * std::max<Real>(view, light)) : Real(0));
+    const Real horizontal = Real(in[kWox]) * in[kWix] + Real(in[kWoy]) * in[kWiy];
+    const Real together = (9 + 8 * horizontal) / 20;
+    set(kOverlap, together);
+    const Real by_view = view - c, by_light = in[kLitC] - c;
+    Real shift = by_view + by_light;
+    if (by_view * by_light > 0) // of the smaller one, the rest
+        shift -= together * (abs(by_view) < abs(by_light) ? by_view : by_light);
+    set(kSeenAndLit, std::max<Real>(0, c + shift));
 }
 
 template <typename Real>

@@ -308,18 +308,40 @@ TEST(ColorByVisibility, StaysFiniteAndContinuousWhereNothingIsSeen)
 TEST(ColorSeenAndLit, IsTheOneWhereTheOtherHidesNothing)
 {
     const V3d c(0.2, 0.3, 0.4), seen(0.1, 0.5, 0.4);
-    const V3d got = filter::color_seen_and_lit(c, seen, c);
+    const V3d wo = toward(1.2, 0.3), wi = toward(0.9, -2.0);
+    const V3d got = filter::color_seen_and_lit(c, seen, c, wo, wi);
     EXPECT_LT((got - seen).length(), 1e-15);
-    EXPECT_EQ(got, filter::color_seen_and_lit(c, c, seen)) << "view and light change places";
+    EXPECT_EQ(got, filter::color_seen_and_lit(c, c, seen, wi, wo)) << "they change places";
 }
 
-TEST(ColorSeenAndLit, IsBlackWhereTheColorIsAndBoundedNextToIt)
+// Grazing from one side, from both sides and across: the constants of the fit.
+TEST(ColorSeenAndLit, AddsTheShiftsButForWhatTheyHaveInCommon)
 {
-    EXPECT_EQ(kernel::scree_color_seen_and_lit(0.0F, 0.0F, 0.0F), 0);
-    EXPECT_EQ(kernel::scree_color_seen_and_lit(0.0F, 1e-3F, 1e-3F), 0);
-    EXPECT_EQ(kernel::scree_color_seen_and_lit(-1e-9F, 1e-3F, 1e-3F), 0);
-    EXPECT_EQ(kernel::scree_color_seen_and_lit(1e-30F, 1e-3F, 2e-3F), 4 * 2e-3F);
-    EXPECT_EQ(kernel::scree_color_seen_and_lit(0.5F, 0.0F, 0.9F), 0);
+    const V3d c(0.5, 0.5, 0.5), seen(0.7, 0.4, 0.6), lit(0.8, 0.2, 0.3); // same, same, opposite
+    const double down = kPi / 2;
+    struct {
+        V3d wi;
+        double together;
+    } const cases[] = {{toward(down, 0.7), 0.85},
+                       {toward(down, 0.7 + kPi), 0.05},
+                       {toward(down, 0.7 + kPi / 2), 0.45},
+                       {toward(0, 0), 0.45},
+                       {toward(degrees(30), 0.7), 0.65}};
+    for (const auto& [wi, together] : cases) {
+        const V3d want(1.0 - together * 0.2, 0.1 + together * 0.1, 0.4);
+        const V3d got = filter::color_seen_and_lit(c, seen, lit, toward(down, 0.7), wi);
+        EXPECT_LT((got - want).length(), 1e-15) << got << " for " << want;
+        const V3d exchanged = filter::color_seen_and_lit(c, lit, seen, wi, toward(down, 0.7));
+        EXPECT_EQ(exchanged, got) << "view and light change places";
+    }
+}
+
+TEST(ColorSeenAndLit, IsNeverLessThanBlack)
+{
+    EXPECT_EQ(kernel::scree_color_seen_and_lit(0.5F, 0.0F, 0.0F, 0.45F), 0);
+    EXPECT_EQ(kernel::scree_color_seen_and_lit(0.5F, 0.125F, 0.25F, 0.05F), 0);
+    EXPECT_EQ(kernel::scree_color_seen_and_lit(0.0F, 0.0F, 0.0F, 0.45F), 0);
+    EXPECT_EQ(kernel::scree_color_seen_and_lit(0.5F, 0.0F, 0.75F, 0.85F), 0.25F);
 }
 
 TEST(CorrectedExponent, BendsFromItsGainToItsLimit)

@@ -310,7 +310,8 @@ const Tolerance kTolerances[] = {
     {kSin2, 4e-7, 8e-16},
     {kVisibleArea, 2e-7, 4e-16},
     {kByVisibility, 4e-7, 8e-16}, // of the terms it is the sum of
-    {kSeenAndLit, 6e-7, 1.2e-15}, // likewise
+    {kOverlap, 2e-7, 4e-16},      // of 1: the sum may cancel to 0.05
+    {kSeenAndLit, 8e-7, 1.6e-15}, // of the terms it is the sum of
     {kCorrected, 2e-7, 6e-16},    // relative
 };
 
@@ -345,6 +346,7 @@ double unit_of(int output, const KernelCase& row, const Outputs<double>& want)
     case kMapV:
     case kAngle:
     case kNodeShare:
+    case kOverlap:
         return 1;
     case kCos1:
     case kCos2:
@@ -353,10 +355,8 @@ double unit_of(int output, const KernelCase& row, const Outputs<double>& want)
         return std::abs(at(want, output)) + 1e-80; // the oracle's own rounding: 1e-100
     case kByVisibility:
         return table_unit(row, want);
-    case kSeenAndLit: // at most 4 c of each, so this is what an error of the visible color becomes
-        return std::max(at(want, output),
-                        table_unit(row, want) *
-                            std::min(4.0, at(row, kLitC) / std::max(at(row, kTableC), 1e-30)));
+    case kSeenAndLit:
+        return std::max(table_unit(row, want), at(row, kLitC));
     case kSpecular:
         return at(want, output) * (1 + std::abs(std::log(at(want, output))));
     default:

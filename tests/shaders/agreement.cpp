@@ -34,7 +34,7 @@ double scale(const KernelCase& row, const Outputs<float>& want, int output)
     case kByVisibility:
         return std::max(itself, in(kTableC)); // a difference may be all but black
     case kSeenAndLit:
-        return std::max(itself, in(kLitC));
+        return std::max({itself, in(kTableC), in(kLitC), out(kByVisibility)});
     case kDiffuse:
         return std::max(itself, 1e-6); // a reflectance: less is black
     default:

@@ -42,7 +42,8 @@ struct Uploaded {
         const auto table = tables.table(values);
         V3f seen = filter::visible_color(c, table, view);
         if (light != V3f(0))
-            seen = filter::color_seen_and_lit(c, seen, filter::visible_color(c, table, light));
+            seen = filter::color_seen_and_lit(c, seen, filter::visible_color(c, table, light), view,
+                                              light);
         return {seen.x, seen.y, seen.z, filter::visible_area(table, view)};
     }
 };

@@ -71,7 +71,8 @@ V3f table_color(const SampleSet& set, size_t level, int x, int y, const V3f& vie
     const V3f seen = filter::visible_color(c, table, view);
     if (look.light == V3f(0))
         return seen;
-    return filter::color_seen_and_lit(c, seen, filter::visible_color(c, table, look.light));
+    return filter::color_seen_and_lit(c, seen, filter::visible_color(c, table, look.light), view,
+                                      look.light);
 }
 
 } // namespace

@@ -22,6 +22,6 @@ void main()
     vec3 c = by_derivatives ? texture(color, st).rgb : textureLod(color, st, level).rgb;
     vec3 seen = scree_table_color(c, of_view);
     if (wi != vec3(0.0))
-        seen = scree_table_color_lit(c, seen, scree_table_color(c, of_light));
+        seen = scree_table_color_lit(c, seen, scree_table_color(c, of_light), wo, wi);
     result = vec4(seen, scree_visible_area(wo.z, of_view.a));
 }
