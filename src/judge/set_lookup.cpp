@@ -7,23 +7,37 @@ namespace scree {
 
 namespace {
 
-constexpr size_t kMostChannels = 24; // of a rank table of eight terms
+constexpr size_t kMostChannels = kMostVisibleChannels;
+
+/// Whether looking up by a model of color takes a map: those of other models it does not.
+bool is_needed(Map map, ColorModel model, const SetColors& colors)
+{
+    switch (map) {
+    case Map::map: // a table, which SetColors has
+        return false;
+    case Map::colorheight:
+        return model == ColorModel::height || model == ColorModel::exponent;
+    case Map::exponent:
+        return model == ColorModel::exponent;
+    case Map::rank:
+        return model == ColorModel::rank;
+    case Map::visible:
+        return model == ColorModel::visible;
+    case Map::colorslope:
+        return colors.adds_slope(model);
+    default:
+        return true;
+    }
+}
 
 } // namespace
 
 SetLookup::SetLookup(const std::filesystem::path& set, const TextureFilter& filter)
     : reader_(set), textures_(reader_.folder(), reader_.manifest(), filter)
 {
-    const ColorModel model = colors().best();
-    for (const TextureRecord& record : manifest().textures) {
-        const Map map = record.map;
-        const bool is_left_out = map == Map::map || // a table, which SetColors has
-                                 (map == Map::colorheight && model != ColorModel::height) ||
-                                 (map == Map::rank && model != ColorModel::rank) ||
-                                 (map == Map::colorslope && !colors().adds_slope(model));
-        if (!is_left_out)
-            maps_.push_back(map);
-    }
+    for (const TextureRecord& record : manifest().textures)
+        if (is_needed(record.map, colors().best(), colors()))
+            maps_.push_back(record.map);
 }
 
 SetTexel SetLookup::at(const TexturePlace& place) const

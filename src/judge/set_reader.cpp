@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "math/error.h"
+#include "pipeline/options.h"
 #include "texset/mip_reader.h"
 
 namespace scree {
@@ -35,6 +36,22 @@ void expect_finite(const MapTable& table, const std::filesystem::path& file)
         if (!std::isfinite(color[0] + color[1] + color[2]))
             throw Error(fmt::format("{}: has colors that are no numbers; bake the set again",
                                     file.string()));
+}
+
+/// What the manifest tells of the tables of visibility, made ready for lookups.
+void describe_nodes(const std::optional<VisibilityRecord>& record, const TextureRecord& texture,
+                    const std::filesystem::path& folder, SetColors& colors)
+{
+    const auto nodes = record ? static_cast<int>(record->node_angles_deg.size()) : 0;
+    if (nodes < 1 || nodes > kMaxNodes || record->harmonics < 0 ||
+        record->harmonics > kMaxHarmonics ||
+        visible_channels(nodes, record->harmonics) != texture.channels)
+        throw Error(fmt::format("{}: has other nodes or harmonics than its manifest says; bake the "
+                                "set again",
+                                (folder / texture.file).string()));
+    for (const double angle_deg : record->node_angles_deg)
+        colors.node_cosines.push_back(static_cast<float>(std::cos(angle_deg * kRadPerDegree)));
+    colors.harmonics = record->harmonics;
 }
 
 } // namespace
@@ -79,6 +96,8 @@ SetReader::SetReader(const std::filesystem::path& set)
             expect_finite(colors_.table, folder_ / record.file);
             continue;
         }
+        if (record.map == Map::visible)
+            describe_nodes(manifest_.visibility, record, folder_, colors_);
         if (file.width(0) != manifest_.width || file.height(0) != manifest_.height ||
             file.levels() != static_cast<int>(manifest_.levels.size()))
             throw Error(fmt::format("{}: is {}x{} with {} levels, its manifest says {}x{} with {}; "
@@ -96,6 +115,8 @@ SetReader::SetReader(const std::filesystem::path& set)
     colors_.has_slope = has(Map::colorslope);
     if (has(Map::colorheight))
         colors_.models.push_back(ColorModel::height);
+    if (has(Map::colorheight) && has(Map::exponent))
+        colors_.models.push_back(ColorModel::exponent);
     if (has(Map::rank))
         colors_.models.push_back(ColorModel::rank);
     if (has(Map::map)) {
@@ -105,6 +126,8 @@ SetReader::SetReader(const std::filesystem::path& set)
         colors_.azimuth_s = static_cast<float>(std::cos(azimuth));
         colors_.azimuth_t = static_cast<float>(std::sin(azimuth));
     }
+    if (has(Map::visible))
+        colors_.models.push_back(ColorModel::visible);
 }
 
 SetReader::~SetReader() = default;

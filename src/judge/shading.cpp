@@ -1,7 +1,10 @@
 #include "judge/shading.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+
+#include "kernel/visibility_table.h"
 
 namespace scree {
 
@@ -41,8 +44,10 @@ Rgbf color_without_slope(const SetTexel& texel, const SetColors& colors, ColorMo
 {
     switch (model) {
     case ColorModel::mean:
+    case ColorModel::visible:
         break;
     case ColorModel::height:
+    case ColorModel::exponent:
         return color_of(filter::color_by_height(vector_of(texel.color),
                                                 vector_of(texel.color_height), texel.h, texel.hh,
                                                 filter::visible_height(exponent)));
@@ -57,6 +62,21 @@ Rgbf color_without_slope(const SetTexel& texel, const SetColors& colors, ColorMo
     return texel.color;
 }
 
+/// What the color goes by of a direction: Smith's Lambda, or what was measured in its place.
+float exponent_of(const SetTexel& texel, ColorModel model, const Vec3f& w)
+{
+    if (model != ColorModel::exponent)
+        return filter::masking(w, slopes_of(texel)).lambda;
+    const auto& [gain, power, threshold] = texel.exponent;
+    return filter::measured_exponent<float>(w, texel.slope, texel.tau, {gain, power, threshold});
+}
+
+filter::VisibilityTable<float> table_of(const SetTexel& texel, const SetColors& colors)
+{
+    return {texel.visible.data(), colors.node_cosines.data(),
+            static_cast<int>(colors.node_cosines.size()), colors.harmonics};
+}
+
 } // namespace
 
 std::string color_model_name(ColorModel model)
@@ -66,10 +86,14 @@ std::string color_model_name(ColorModel model)
         return "mean color";
     case ColorModel::height:
         return "linear in height";
+    case ColorModel::exponent:
+        return "linear in height, measured exponent";
     case ColorModel::rank:
         return "by height rank";
     case ColorModel::map:
         return "color map";
+    case ColorModel::visible:
+        return "measured visibility";
     }
     return "";
 }
@@ -79,9 +103,10 @@ filter::Slopes<float> slopes_of(const SetTexel& texel)
     return filter::slopes<float>(texel.slope, texel.tau);
 }
 
-Rgbf visible_color(const SetTexel& texel, const SetColors& colors, ColorModel model, bool by_slope,
-                   const Vec3f& wo, float exponent)
+Rgbf color_of_exponent(const SetTexel& texel, const SetColors& colors, ColorModel model,
+                       bool by_slope, const Vec3f& wo, float exponent)
 {
+    assert(model != ColorModel::visible);
     Rgbf color = color_without_slope(texel, colors, model, wo, exponent);
     if (!by_slope)
         return color;
@@ -90,6 +115,28 @@ Rgbf visible_color(const SetTexel& texel, const SetColors& colors, ColorModel mo
     for (size_t i = 0; i < 3; ++i)
         color[i] = std::max(color[i] - texel.color[i] + leaning[static_cast<int>(i)], 0.0F);
     return color;
+}
+
+Rgbf visible_color(const SetTexel& texel, const SetColors& colors, ColorModel model,
+                   const Vec3f& wo)
+{
+    if (model == ColorModel::visible)
+        return color_of(filter::visible_color(vector_of(texel.color), table_of(texel, colors), wo));
+    return color_of_exponent(texel, colors, model, colors.adds_slope(model), wo,
+                             exponent_of(texel, model, wo));
+}
+
+Rgbf lit_color(const SetTexel& texel, const SetColors& colors, ColorModel model, const Vec3f& wo,
+               const Vec3f& wi)
+{
+    if (model == ColorModel::visible) {
+        const auto table = table_of(texel, colors);
+        const Vec3f mean = vector_of(texel.color);
+        return color_of(filter::color_seen_and_lit(mean, filter::visible_color(mean, table, wo),
+                                                   filter::visible_color(mean, table, wi), wo, wi));
+    }
+    return color_of_exponent(texel, colors, model, colors.adds_slope(model), wo,
+                             exponent_of(texel, model, wo) + exponent_of(texel, model, wi));
 }
 
 Rgbf radiance(const filter::Slopes<float>& slopes, const Rgbf& color, const Material& material,
@@ -104,11 +151,8 @@ Rgbf radiance(const filter::Slopes<float>& slopes, const Rgbf& color, const Mate
 Rgbf set_radiance(const SetTexel& texel, const SetColors& colors, const Material& material,
                   const Vec3f& wo, const Vec3f& wi)
 {
-    const auto slopes = slopes_of(texel);
-    const float exponent = filter::masking(wo, slopes).lambda + filter::masking(wi, slopes).lambda;
-    const ColorModel best = colors.best();
-    const Rgbf color = visible_color(texel, colors, best, colors.adds_slope(best), wo, exponent);
-    return radiance(slopes, color, material, wo, wi);
+    return radiance(slopes_of(texel), lit_color(texel, colors, colors.best(), wo, wi), material, wo,
+                    wi);
 }
 
 Rgbf plain_radiance(const SetTexel& texel, const Material& material, const Vec3f& wo,

@@ -21,10 +21,12 @@ struct Material {
 
 /// The ways a set can tell the visible color.
 enum class ColorModel {
-    mean,   ///< E[c]
-    height, ///< linear in height, NAME.colorheight.exr
-    rank,   ///< by height rank, NAME.rank.exr
-    map     ///< the color map's table, NAME.map.exr
+    mean,     ///< E[c]
+    height,   ///< linear in height, NAME.colorheight.exr
+    exponent, ///< the same by the exponent that was measured, NAME.exponent.exr
+    rank,     ///< by height rank, NAME.rank.exr
+    map,      ///< the color map's table, NAME.map.exr
+    visible   ///< measured visibility, NAME.visible.exr
 };
 
 std::string color_model_name(ColorModel model);
@@ -36,27 +38,41 @@ struct SetColors {
     MapTable table;                     ///< of ColorModel::map
     std::string map_by;                 ///< "height", "slope", "slope magnitude"; empty: no map
     float azimuth_s = 1, azimuth_t = 0; ///< of "slope"
+    std::vector<float> node_cosines;    ///< of ColorModel::visible
+    int harmonics = 0;                  ///< likewise
 
-    /// What a renderer would take: the table of a color map, ranks, the line, the mean.
+    /// What a renderer would take: tables of visibility, the table of a color map, ranks, the line
+    /// with the measured exponent, with Smith's, the mean.
     [[nodiscard]] ColorModel best() const { return models.back(); }
 
-    /// Whether a renderer adds the correlation with slope: a color map by slope has it already.
+    /// Whether a renderer adds the correlation with slope: a color map by slope has it already, and
+    /// so has what was measured of views.
     [[nodiscard]] bool adds_slope(ColorModel model) const
     {
-        return has_slope && (model != ColorModel::map || map_by == "height");
+        return has_slope && model != ColorModel::visible &&
+               (model != ColorModel::map || map_by == "height");
     }
 };
 
 /// Slopes of a texel as a renderer makes them of its moments.
 filter::Slopes<float> slopes_of(const SetTexel& texel);
 
-/// The color that a view sees, by one of the models.
+/// The color seen where points are seen by an exponent, by one of the models but
+/// ColorModel::visible.
 ///
 /// wo        to the viewer
 /// exponent  Lambda of the view; of view plus light for what is seen and lit
 /// by_slope  adds the correlation with slope (not to a color map's table by slope, which has it)
-Rgbf visible_color(const SetTexel& texel, const SetColors& colors, ColorModel model, bool by_slope,
-                   const Vec3f& wo, float exponent);
+Rgbf color_of_exponent(const SetTexel& texel, const SetColors& colors, ColorModel model,
+                       bool by_slope, const Vec3f& wo, float exponent);
+
+/// The color that a view sees, by any of the models, as a renderer would have it.
+Rgbf visible_color(const SetTexel& texel, const SetColors& colors, ColorModel model,
+                   const Vec3f& wo);
+
+/// The color of what wo sees and wi lights.
+Rgbf lit_color(const SetTexel& texel, const SetColors& colors, ColorModel model, const Vec3f& wo,
+               const Vec3f& wi);
 
 /// Radiance over irradiance under one directional light: color diffuse / pi + f0 specular, of
 /// kernel/filter.h. The twin of scree_radiance in src/shaders/scree_set.glsl, without Fresnel.

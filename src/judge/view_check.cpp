@@ -92,7 +92,7 @@ public:
         sums.masking.add(
             seen.facing, static_cast<double>(masking.g1) - seen.g1(), 1 - seen.g1(),
             half_difference(half(0).facing, half(1).facing, half(0).g1(), half(1).g1()), 1);
-        add_colors(texel, wo, masking.lambda, seen, half(0), half(1), sums);
+        add_colors(texel, wo, seen, half(0), half(1), sums);
         add_slopes(slopes, filter::visible_slopes(wo, slopes), seen, half(0), half(1), sums);
         for (size_t i = 0; i < lights_.size(); ++i)
             add_light(texel, wo, lights_[i], view_index * lights_.size() + i, truth, seen.area,
@@ -100,15 +100,12 @@ public:
     }
 
 private:
-    void add_colors(const SetTexel& texel, const Vec3f& wo, float lambda,
-                    const reference::Seen& seen, const reference::Seen& half0,
-                    const reference::Seen& half1, Sums& sums) const
+    void add_colors(const SetTexel& texel, const Vec3f& wo, const reference::Seen& seen,
+                    const reference::Seen& half0, const reference::Seen& half1, Sums& sums) const
     {
         sums.models.resize(colors_.models.size());
         for (size_t m = 0; m < colors_.models.size(); ++m) {
-            const ColorModel model = colors_.models[m];
-            const Rgbf shown =
-                visible_color(texel, colors_, model, colors_.adds_slope(model), wo, lambda);
+            const Rgbf shown = visible_color(texel, colors_, colors_.models[m], wo);
             const bool is_best = m + 1 == colors_.models.size();
             for (size_t i = 0; i < 3; ++i) {
                 const double error = static_cast<double>(shown[i]) - seen.color[i];

@@ -293,7 +293,7 @@ TEST(Methods, ShowWhatASetShows)
             const float both = from + filter::masking(wi, slopes).lambda;
             ASSERT_GT(both, from);
             const auto seen = [&](float exponent) {
-                return visible_color(texel, colors, twin.model, twin.by_slope, wo, exponent);
+                return color_of_exponent(texel, colors, twin.model, twin.by_slope, wo, exponent);
             };
             const Method& method = method_named(twin.name);
             EXPECT_EQ(method.color(data, setting, wo), seen(from)) << twin.name;

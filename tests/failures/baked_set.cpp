@@ -14,7 +14,7 @@ constexpr const char* kFolder = "set";
 double red(const SetTexel& texel, ColorModel model, bool by_slope, const Vec3f& wo, double exponent)
 {
     const auto lambda = static_cast<float>(exponent);
-    return static_cast<double>(visible_color(texel, {}, model, by_slope, wo, lambda)[0]);
+    return static_cast<double>(color_of_exponent(texel, {}, model, by_slope, wo, lambda)[0]);
 }
 
 } // namespace
@@ -128,7 +128,7 @@ double red_by_map(const BakedSet& set, const SetTexel& texel, const Vec3f& wo)
 {
     const auto lambda = static_cast<float>(lambda_of(slopes_of(texel), wo));
     return static_cast<double>(
-        visible_color(texel, set.colors(), ColorModel::map, false, wo, lambda)[0]);
+        color_of_exponent(texel, set.colors(), ColorModel::map, false, wo, lambda)[0]);
 }
 
 double lambda_of(const filter::Slopes<float>& slopes, const Vec3f& wo)

@@ -108,6 +108,18 @@ TEST(SetLookup, ReadsNoMapThatTheBestColorModelDoesNotNeed)
     const SetTexel by_height = read({Map::slope, Map::height, Map::color, Map::colorheight});
     EXPECT_NE(by_height.color_height[0], 0);
     EXPECT_EQ(by_height.color_t[0], 0);
+    const std::array<float, 3> smiths = by_height.exponent;
+    const SetTexel measured =
+        read({Map::slope, Map::height, Map::color, Map::colorheight, Map::exponent});
+    EXPECT_NE(measured.color_height[0], 0);
+    EXPECT_NE(measured.exponent, smiths);
+    const SetTexel by_tables = read({Map::slope, Map::height, Map::color, Map::colorheight,
+                                     Map::colorslope, Map::exponent, Map::rank, Map::visible});
+    EXPECT_NE(by_tables.visible[15], 0); // of the last of four nodes
+    EXPECT_EQ(by_tables.color_height[0], 0);
+    EXPECT_EQ(by_tables.color_t[0], 0);
+    EXPECT_EQ(by_tables.rank[0][0], 0);
+    EXPECT_EQ(by_tables.exponent, smiths);
 }
 
 // On a plane nothing hides or spreads: all three parts are the color under the light, but for how
@@ -150,7 +162,8 @@ TEST(Preview, APixelOverTheWholeMapIsItsTopLevelShaded)
     const Vec3f wo(direction(70, 30)), wi(light);
     const auto slopes = slopes_of(texel);
     const float exponent = filter::masking(wo, slopes).lambda + filter::masking(wi, slopes).lambda;
-    const Rgbf seen = visible_color(texel, reader.colors(), ColorModel::rank, true, wo, exponent);
+    const Rgbf seen =
+        color_of_exponent(texel, reader.colors(), ColorModel::rank, true, wo, exponent);
     const Rgbf of_set = radiance(slopes, seen, material, wo, wi);
     const Rgbf of_plain = plain_radiance(texel, material, wo, wi);
     for (size_t c = 0; c < 3; ++c) {

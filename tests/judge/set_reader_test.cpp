@@ -65,6 +65,81 @@ TEST(SetReader, PutsEveryChannelWhereItBelongs)
     }
 }
 
+/// The sample with what was measured of views, three nodes and a harmonic.
+Manifest bake_measured(const TempFolder& temp, const std::vector<Map>& maps)
+{
+    const auto field = make_sample("bricks", 40, 36);
+    MemorySource source = sample_source(*field, 40, 36);
+    BakeOptions options;
+    options.output = temp / "set";
+    options.maps = maps;
+    options.table = {{50, 70, 85}, 1, 8};
+    options.pixel_type = PixelTypeChoice::float32;
+    Manifest manifest;
+    manifest.name = "test";
+    return bake(source, options, manifest);
+}
+
+const std::vector<Map> kMeasured = {Map::slope,    Map::height, Map::color,  Map::colorheight,
+                                    Map::exponent, Map::rank,   Map::visible};
+
+TEST(SetReader, PutsTablesOfVisibilityWhereTheyBelong)
+{
+    const TempFolder temp;
+    bake_measured(temp, kMeasured);
+    SetReader set(temp / "set");
+    const SetColors& colors = set.colors();
+    EXPECT_EQ(colors.models,
+              (std::vector<ColorModel>{ColorModel::mean, ColorModel::height, ColorModel::exponent,
+                                       ColorModel::rank, ColorModel::visible}));
+    EXPECT_EQ(colors.best(), ColorModel::visible);
+    ASSERT_EQ(colors.node_cosines.size(), 3U);
+    EXPECT_NEAR(colors.node_cosines[0], 0.64278761, 1e-7);
+    EXPECT_NEAR(colors.node_cosines[1], 0.34202014, 1e-7);
+    EXPECT_NEAR(colors.node_cosines[2], 0.08715574, 1e-7);
+    EXPECT_EQ(colors.harmonics, 1);
+    const auto visible = read_levels(temp / "set" / "test.visible.exr");
+    const auto exponent = read_levels(temp / "set" / "test.exponent.exr");
+    for (const size_t level : {size_t{0}, size_t{2}, visible.size() - 1}) {
+        const int y = visible[level].height - 1, x = visible[level].width / 2;
+        const SetTexel texel = set.row(static_cast<int>(level), y)[static_cast<size_t>(x)];
+        for (int i = 0; i < 3; ++i)
+            EXPECT_EQ(texel.exponent[static_cast<size_t>(i)], exponent[level].at(x, y, i));
+        for (int i = 0; i < 3 * 3 * 4; ++i)
+            EXPECT_EQ(texel.visible[static_cast<size_t>(i)], visible[level].at(x, y, i)) << i;
+        EXPECT_EQ(texel.visible[3 * 3 * 4], 0);
+        EXPECT_NE(texel.visible[0], 0) << "a view that sees all";
+    }
+}
+
+TEST(SetReader, TakesTheMeasuredExponentOverSmiths)
+{
+    const TempFolder temp;
+    bake_measured(temp, {Map::slope, Map::height, Map::color, Map::colorheight, Map::exponent});
+    EXPECT_EQ(SetReader(temp / "set").colors().best(), ColorModel::exponent);
+}
+
+TEST(SetReader, RefusesTablesThatTheManifestTellsOtherwise)
+{
+    const TempFolder temp;
+    Manifest manifest = bake_measured(temp, kMeasured);
+    for (const std::optional<VisibilityRecord>& wrong :
+         {std::optional<VisibilityRecord>(), std::optional(VisibilityRecord{{50, 70}, 1, 8}),
+          std::optional(VisibilityRecord{{50, 70, 85}, 0, 8}),
+          std::optional(VisibilityRecord{{50, 70, 85}, -1, 8})}) {
+        manifest.visibility = wrong;
+        write_manifest(manifest, temp / "set");
+        try {
+            SetReader set(temp / "set");
+            ADD_FAILURE();
+        } catch (const Error& e) {
+            EXPECT_NE(std::string(e.what()).find("test.visible.exr: has other nodes"),
+                      std::string::npos)
+                << e.what();
+        }
+    }
+}
+
 TEST(SetReader, ReadsTheSlopesOfTheBumpslopesLayout)
 {
     const TempFolder plain, bump;
