@@ -17,6 +17,8 @@ std::string legend_of(MethodFamily family)
         return "masking";
     case MethodFamily::correlated:
         return "masking, correlated color";
+    case MethodFamily::measured:
+        return "masking, measured color";
     case MethodFamily::supersampling:
         break;
     }
@@ -46,8 +48,9 @@ report::Chart error_chart(const AssetChart& of, size_t band, ErrorKind kind, Cos
                                      : report::Axis{"bytes per texel", false};
     chart.y = {"rms error, relative", true};
     const std::vector<bool> front = front_of(of, band, axis, kind);
-    for (const MethodFamily family : {MethodFamily::plain, MethodFamily::masked,
-                                      MethodFamily::correlated, MethodFamily::supersampling}) {
+    for (const MethodFamily family :
+         {MethodFamily::plain, MethodFamily::masked, MethodFamily::correlated,
+          MethodFamily::measured, MethodFamily::supersampling}) {
         report::Series series{legend_of(family), {}, family == MethodFamily::supersampling};
         for (size_t i = 0; i < of.rows.size(); ++i) {
             if (of.rows[i].family != family || std::isnan(cost_of(of.rows[i], axis)))

@@ -17,7 +17,8 @@ namespace scree {
 
 namespace {
 
-constexpr int kFinestLevel = 2; ///< footprints of 4 x 4 texels
+constexpr int kFinestLevel = 2;    ///< footprints of 4 x 4 texels
+constexpr int kChartHarmonics = 2; ///< of the tables of visibility
 
 /// A set of the asset in a folder that goes with it.
 class TempSet {
@@ -29,6 +30,7 @@ public:
         options.output = folder_.path() / "set";
         options.maps = std::move(maps);
         options.rank_terms = 8;
+        options.table = {{kChartNodes.begin(), kChartNodes.end()}, kChartHarmonics, 8};
         options.reconstruction = reconstruction;
         Manifest start;
         start.name = "asset";
@@ -52,6 +54,7 @@ private:
 
 std::map<MethodTexture, PixelType> types_of(const TempSet& set, const TempSet& sobel)
 {
+    const PixelType visible = set.texture(Map::visible).type;
     return {{MethodTexture::normal, PixelType::half},
             {MethodTexture::slope, set.texture(Map::slope).type},
             {MethodTexture::sobel, sobel.texture(Map::slope).type},
@@ -60,7 +63,29 @@ std::map<MethodTexture, PixelType> types_of(const TempSet& set, const TempSet& s
             {MethodTexture::color, set.texture(Map::color).type},
             {MethodTexture::colorheight, set.texture(Map::colorheight).type},
             {MethodTexture::colorslope, set.texture(Map::colorslope).type},
-            {MethodTexture::rank, set.texture(Map::rank).type}};
+            {MethodTexture::rank, set.texture(Map::rank).type},
+            {MethodTexture::visible_2x1, visible},
+            {MethodTexture::visible_4x1, visible},
+            {MethodTexture::visible_4x3, visible},
+            {MethodTexture::visible_4x5, visible}};
+}
+
+/// Fewer nodes and harmonics of set.visible.
+void take_smaller_tables(FootprintData& data)
+{
+    constexpr size_t kColors = 4, kTerms = 1 + 2 * kChartHarmonics; // A B G R, of 1 c1 c2 s1 s2
+    constexpr std::array<size_t, 3> kFirstHarmonic = {0, 1, 3};     // and the mean
+    const auto copy = [&data](size_t node, size_t term, float* to) {
+        std::copy_n(data.set.visible.data() + kColors * (kTerms * node + term), kColors, to);
+    };
+    for (size_t node = 0; node < kChartNodes.size(); ++node) {
+        copy(node, 0, data.visible_4x1.data() + kColors * node);
+        for (size_t i = 0; i < kFirstHarmonic.size(); ++i)
+            copy(node, kFirstHarmonic[i],
+                 data.visible_4x3.data() + kColors * (kFirstHarmonic.size() * node + i));
+    }
+    copy(1, 0, data.visible_2x1.data());
+    copy(3, 0, data.visible_2x1.data() + kColors);
 }
 
 /// Mean slopes of all texels of level 0.
@@ -96,7 +121,7 @@ ChartFootprints bake_footprints(const Asset& asset, int count, uint64_t seed,
                                 1 << kFinestLevel));
     const TempSet set(asset,
                       {Map::slope, Map::height, Map::color, Map::colorheight, Map::colorslope,
-                       Map::rank, Map::tail},
+                       Map::rank, Map::tail, Map::exponent, Map::visible},
                       Reconstruction::bilinear, monitor);
     const TempSet sobel(asset, {Map::slope}, Reconstruction::sobel, monitor);
     const MeanNormals normals(relief, finest_slopes(set));
@@ -109,6 +134,7 @@ ChartFootprints bake_footprints(const Asset& asset, int count, uint64_t seed,
     for (PickedTexel& picked : pick_texels(reader, kFinestLevel, count, seed)) {
         FootprintData data;
         data.set = picked.texel;
+        take_smaller_tables(data);
         data.sobel = sobel_reader.row(picked.level, picked.y)[static_cast<size_t>(picked.x)].slope;
         data.normal = normals.over(picked.footprint);
         all.data.push_back(data);
@@ -121,7 +147,8 @@ int bytes_per_texel(const Method& method, const std::map<MethodTexture, PixelTyp
 {
     int bytes = 0;
     for (const Reading& reading : method.reads)
-        bytes += reading.channels * static_cast<int>(pixel_bytes(types.at(reading.texture)));
+        if (reading.texture != MethodTexture::exponent)
+            bytes += reading.channels * static_cast<int>(pixel_bytes(types.at(reading.texture)));
     return bytes;
 }
 

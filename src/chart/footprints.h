@@ -19,8 +19,8 @@ struct ChartFootprints {
     std::map<MethodTexture, PixelType> types; ///< that `--pixel-type auto` takes; of normals half
 };
 
-/// Bakes the asset with all maps, rank tables of 8 terms, and once more with Sobel slopes, and
-/// picks footprints of at least 4 x 4 texels.
+/// Bakes the asset with all maps, rank tables of 8 terms, tables of visibility at kChartNodes with
+/// two harmonics, and once more with Sobel slopes, and picks footprints of at least 4 x 4 texels.
 ///
 /// count  a level, or as many as it has
 /// seed   of the choice

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "chart/unmasked.h"
+#include "kernel/visibility_table.h"
 
 namespace scree {
 
@@ -129,6 +130,74 @@ struct Masked {
     }
 };
 
+// --- color as it was measured to be seen ---------------------------------------------------------
+
+/// Of the line in height, with the exponent that was fitted.
+struct Corrected {
+    static float exponent_of(const SetTexel& texel, const Vec3f& w)
+    {
+        const auto& [gain, power, threshold] = texel.exponent;
+        return filter::measured_exponent<float>(w, texel.slope, 0, {gain, power, threshold});
+    }
+    static Rgbf color(const FootprintData& data, const MethodSetting& setting, const Vec3f& wo)
+    {
+        return line_color(data.set, setting, exponent_of(data.set, wo));
+    }
+    static Rgbf radiance(const FootprintData& data, const MethodSetting& setting, const Vec3f& wo,
+                         const Vec3f& wi)
+    {
+        const float exponent = exponent_of(data.set, wo) + exponent_of(data.set, wi);
+        return scree::radiance(filter::slopes(data.set.slope),
+                               line_color(data.set, setting, exponent), setting.material, wo, wi);
+    }
+};
+
+float cosine_of_degrees(double angle_deg)
+{
+    return static_cast<float>(std::cos(angle_deg * 3.14159265358979323846 / 180));
+}
+
+const std::array<float, 4> kNodeCosines = {
+    cosine_of_degrees(kChartNodes[0]), cosine_of_degrees(kChartNodes[1]),
+    cosine_of_degrees(kChartNodes[2]), cosine_of_degrees(kChartNodes[3])};
+const std::array<float, 2> kTwoNodeCosines = {kNodeCosines[1], kNodeCosines[3]};
+
+struct TwoNodes {
+    static filter::VisibilityTable<float> of(const FootprintData& data)
+    {
+        return {data.visible_2x1.data(), kTwoNodeCosines.data(), 2, 0};
+    }
+};
+
+template <int harmonics>
+struct FourNodes {
+    static filter::VisibilityTable<float> of(const FootprintData& data)
+    {
+        const float* const tables[] = {data.visible_4x1.data(), data.visible_4x3.data(),
+                                       data.set.visible.data()};
+        return {tables[harmonics], kNodeCosines.data(), 4, harmonics};
+    }
+};
+
+template <class Table>
+struct Measured {
+    static Rgbf color(const FootprintData& data, const MethodSetting& /*setting*/, const Vec3f& wo)
+    {
+        return color_of(filter::visible_color(vector_of(data.set.color), Table::of(data), wo));
+    }
+    static Rgbf radiance(const FootprintData& data, const MethodSetting& setting, const Vec3f& wo,
+                         const Vec3f& wi)
+    {
+        const Vec3f mean = vector_of(data.set.color);
+        const auto table = Table::of(data);
+        const Vec3f color =
+            filter::color_seen_and_lit(mean, filter::visible_color(mean, table, wo),
+                                       filter::visible_color(mean, table, wi), wo, wi);
+        return scree::radiance(filter::slopes(data.set.slope), color_of(color), setting.material,
+                               wo, wi);
+    }
+};
+
 using F = MethodFamily;
 using T = MethodTexture;
 template <class Way>
@@ -193,6 +262,24 @@ std::vector<Method> all_methods()
             "rank 4 + slope + tails", F::correlated,
             "as rank 4 + slope, for slopes that are partly K0 distributed (tail).",
             {color, slope, {T::rank, 12}, color_slope, {T::tail, 1}}),
+        method<Corrected>("linear, corrected", F::measured,
+                          "as linear, the exponent fitted to what views see of the asset's own "
+                          "heights, three numbers a level (exponent).",
+                          {color, slope, height, color_height, {T::exponent, 3}}),
+        method<Measured<TwoNodes>>("visibility 2x1", F::measured,
+                                   "as LEADR, with color by tables of what views see of the "
+                                   "asset's own heights (visible): "
+                                   "at 74 and 87 degrees, the mean over the azimuth.",
+                                   {color, slope, {T::visible_2x1, 8}}),
+        method<Measured<FourNodes<0>>>("visibility 4x1", F::measured,
+                                       "the same at 55, 74, 84 and 87 degrees.",
+                                       {color, slope, {T::visible_4x1, 16}}),
+        method<Measured<FourNodes<1>>>("visibility 4x3", F::measured,
+                                       "as visibility 4x1, with one harmonic of the azimuth.",
+                                       {color, slope, {T::visible_4x3, 48}}),
+        method<Measured<FourNodes<2>>>("visibility 4x5", F::measured,
+                                       "as visibility 4x1, with two harmonics of the azimuth.",
+                                       {color, slope, {T::visible_4x5, 80}}),
     };
 }
 

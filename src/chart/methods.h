@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,15 @@ struct FootprintData {
     filter::SlopeMoments<float> sobel; ///< of a set with Sobel slopes, as maketx --bumpslopes has
     /// Mean of the unit normals of the level-0 texels: the shorter, the more they differ.
     Vec3f normal{0, 0, 1};
+    /// Parts of set.visible (kChartNodes, two harmonics), each as a file of its own would hold it:
+    /// two nodes, the second and the last, and all of them, without harmonics; all with one.
+    std::array<float, 2 * 4> visible_2x1{};
+    std::array<float, 4 * 4> visible_4x1{};
+    std::array<float, 4 * 3 * 4> visible_4x3{};
 };
+
+/// Of the tables of visibility, degrees from the normal.
+constexpr std::array<double, 4> kChartNodes{55, 74, 84, 87};
 
 /// What all footprints share.
 struct MethodSetting {
@@ -35,7 +44,12 @@ enum class MethodTexture {
     color,
     colorheight,
     colorslope,
-    rank
+    rank,
+    exponent, ///< a level has one value: no bytes a texel
+    visible_2x1,
+    visible_4x1,
+    visible_4x3,
+    visible_4x5
 };
 
 struct Reading {
@@ -48,6 +62,7 @@ enum class MethodFamily {
     plain,         ///< nothing hides anything, and the color is the same from everywhere
     masked,        ///< Smith's masking
     correlated,    ///< and color that goes with height or slope, as Scree bakes it
+    measured,      ///< Smith's masking, and color as views see it of the heights themselves
     supersampling, ///< no lookup: the surface itself
 };
 

@@ -4,6 +4,10 @@
 
 #include <cmath>
 
+#include "chart/temp_folder.h"
+#include "judge/set_reader.h"
+#include "pipeline/bake.h"
+
 namespace scree {
 namespace {
 
@@ -85,6 +89,36 @@ TEST_F(ChartFootprintsTest, HaveShortenedNormals)
         EXPECT_NEAR(-data.normal.y / data.normal.z, slopes.mean.y, spread) << f;
     }
     EXPECT_LT(all.data.back().normal.length(), 0.98F) << "the whole map";
+}
+
+// Oracle: sets that were baked with those tables alone.
+TEST_F(ChartFootprintsTest, HoldSmallerTablesAsSetsOfTheirOwnDo)
+{
+    const auto baked = [this](const std::vector<double>& nodes_deg, int harmonics) {
+        const TempFolder temp;
+        BakeOptions options = asset.options;
+        options.output = temp.path() / "set";
+        options.maps = {Map::visible};
+        options.table = {nodes_deg, harmonics, 8};
+        options.pixel_type = PixelTypeChoice::float32;
+        Manifest manifest;
+        manifest.name = "asset";
+        AssetSource source(asset);
+        const int levels = static_cast<int>(bake(source, options, manifest).levels.size());
+        return SetReader(options.output).row(levels - 1, 0).front().visible;
+    };
+    const FootprintData& whole = all.data.back();
+    const auto expect_equal = [](const auto& table, const auto& want) {
+        for (size_t i = 0; i < table.size(); ++i) // halves, of which the largest is 1
+            EXPECT_NEAR(table[i], want[i], 5e-4) << i;
+        double largest = 0;
+        for (const float value : table)
+            largest = std::max(largest, static_cast<double>(std::abs(value)));
+        EXPECT_GT(largest, 0.02) << "nothing that is off would be found";
+    };
+    expect_equal(whole.visible_2x1, baked({74, 87}, 0));
+    expect_equal(whole.visible_4x1, baked({55, 74, 84, 87}, 0));
+    expect_equal(whole.visible_4x3, baked({55, 74, 84, 87}, 1));
 }
 
 TEST_F(ChartFootprintsTest, HaveColorsForAllHeights)

@@ -136,6 +136,15 @@ FootprintData some_footprint(unsigned seed)
         for (auto& a : data.set.rank)
             a[c] = uniform(0.01F, 0.03F);
     }
+    data.set.exponent = {uniform(0.5F, 2), uniform(0.5F, 2), uniform(0.01F, 0.02F)};
+    const auto fill = [&uniform](auto begin, auto end) {
+        for (auto value = begin; value != end; ++value)
+            *value = uniform(-0.05F, 0.05F);
+    };
+    fill(data.set.visible.begin(), data.set.visible.begin() + 80);
+    fill(data.visible_2x1.begin(), data.visible_2x1.end());
+    fill(data.visible_4x1.begin(), data.visible_4x1.end());
+    fill(data.visible_4x3.begin(), data.visible_4x3.end());
     data.normal = {uniform(-0.2F, 0.2F), uniform(-0.2F, 0.2F), uniform(0.7F, 0.9F)};
     return data;
 }
@@ -176,6 +185,15 @@ std::vector<Channel> channels_of(FootprintData& data)
     add_color(T::colorslope, set.color_t);
     for (auto& a : set.rank)
         add_color(T::rank, a);
+    add_color(T::exponent, set.exponent);
+    const auto add_table = [&add](T texture, float* table, size_t size) {
+        for (size_t i = 0; i < size; ++i)
+            add(texture, {table + i});
+    };
+    add_table(T::visible_2x1, data.visible_2x1.data(), data.visible_2x1.size());
+    add_table(T::visible_4x1, data.visible_4x1.data(), data.visible_4x1.size());
+    add_table(T::visible_4x3, data.visible_4x3.data(), data.visible_4x3.size());
+    add_table(T::visible_4x5, data.set.visible.data(), 80);
     return all;
 }
 
@@ -186,33 +204,41 @@ bool is_read(const Method& method, const Channel& channel)
     });
 }
 
-// So bytes per texel are counted right: no more is read than said, and no less.
+// So bytes per texel are counted right: no more is read than said, and no less. From several sides:
+// of a table of visibility a view reads the nodes about it.
 TEST(Methods, ReadWhatTheySay)
 {
     const MapTable table = straight_table({0, 0.1, 0.2}, {0.9, 0.8, 1});
     const MethodSetting setting{{0.3F, 0.04F}, &table};
-    const Vec3f wo(toward(1.1, 0.4)), wi(toward(0.7, 2.5));
+    const Vec3f views[] = {Vec3f(toward(1.1, 0.4)), Vec3f(toward(1.4, 1.3)),
+                           Vec3f(toward(1.5, -0.8))};
+    const Vec3f wi(toward(0.7, 2.5));
     const size_t count = [] {
         FootprintData data;
         return channels_of(data).size();
     }();
-    ASSERT_EQ(count, 5U + 5 + 3 + 1 + 2 + 3 + 3 + 6 + 24);
+    ASSERT_EQ(count, 5U + 5 + 3 + 1 + 2 + 3 + 3 + 6 + 24 + 3 + 8 + 16 + 48 + 80);
     for (const Method& method : methods())
         for (size_t i = 0; i < count; ++i) {
             const FootprintData data = some_footprint(7);
-            const Rgbf before = method.radiance(data, setting, wo, wi);
-            const Rgbf color_before = method.color(data, setting, wo);
             FootprintData changed = data;
             const Channel channel = channels_of(changed)[i];
             const bool read = is_read(method, channel);
             *channel.value =
                 read ? *channel.value * 1.125F : std::numeric_limits<float>::quiet_NaN();
-            const Rgbf after = method.radiance(changed, setting, wo, wi);
-            EXPECT_EQ(after != before, read)
+            bool radiance_changes = false, color_changes = false;
+            for (const Vec3f& wo : views) {
+                radiance_changes =
+                    radiance_changes || method.radiance(data, setting, wo, wi) !=
+                                            method.radiance(changed, setting, wo, wi);
+                color_changes = color_changes || method.color(data, setting, wo) !=
+                                                     method.color(changed, setting, wo);
+            }
+            EXPECT_EQ(radiance_changes, read)
                 << method.name << ", texture " << static_cast<int>(channel.texture) << ", channel "
                 << channel.index;
             if (!read) {
-                EXPECT_EQ(method.color(changed, setting, wo), color_before) << method.name;
+                EXPECT_FALSE(color_changes) << method.name;
             }
         }
 }
@@ -300,6 +326,50 @@ TEST(Methods, ShowWhatASetShows)
             EXPECT_EQ(method.radiance(data, setting, wo, wi),
                       radiance(slopes, seen(both), setting.material, wo, wi))
                 << twin.name;
+        }
+}
+
+TEST(Methods, ShowWhatASetShowsOfMeasuredColors)
+{
+    struct Twin {
+        const char* name;
+        ColorModel model;
+        std::vector<double> nodes_deg;
+        int harmonics;
+    };
+    const MapTable unused = straight_table({0, 0, 0}, {1, 1, 1});
+    const MethodSetting setting{{0.3F, 0.04F}, &unused};
+    const Vec3f wo(toward(1.4, 0.4)), wi(toward(1.2, 2.5));
+    for (const Twin& twin : {Twin{"linear, corrected", ColorModel::exponent, {}, 0},
+                             Twin{"visibility 2x1", ColorModel::visible, {74, 87}, 0},
+                             Twin{"visibility 4x1", ColorModel::visible, {55, 74, 84, 87}, 0},
+                             Twin{"visibility 4x3", ColorModel::visible, {55, 74, 84, 87}, 1},
+                             Twin{"visibility 4x5", ColorModel::visible, {55, 74, 84, 87}, 2}})
+        for (unsigned seed = 0; seed < 10; ++seed) {
+            const FootprintData data = some_footprint(seed);
+            SetTexel texel = data.set;
+            texel.tau = 0;
+            SetColors colors;
+            colors.models = {ColorModel::mean, twin.model};
+            for (const double angle : twin.nodes_deg)
+                colors.node_cosines.push_back(static_cast<float>(std::cos(angle * kPi / 180)));
+            colors.harmonics = twin.harmonics;
+            const auto put = [&texel](const auto& table) {
+                std::copy(table.begin(), table.end(), texel.visible.begin());
+            };
+            if (twin.nodes_deg.size() == 2)
+                put(data.visible_2x1);
+            else if (twin.harmonics == 0)
+                put(data.visible_4x1);
+            else if (twin.harmonics == 1)
+                put(data.visible_4x3);
+            const Method& method = method_named(twin.name);
+            EXPECT_EQ(method.color(data, setting, wo), visible_color(texel, colors, twin.model, wo))
+                << twin.name;
+            EXPECT_EQ(method.radiance(data, setting, wo, wi),
+                      set_radiance(texel, colors, setting.material, wo, wi))
+                << twin.name;
+            EXPECT_NE(method.color(data, setting, wo), texel.color) << twin.name;
         }
 }
 
