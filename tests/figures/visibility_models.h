@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "judge/set_texel.h"
+#include "judge/shading.h"
+#include "texset/manifest.h"
+
+namespace scree::test {
+
+/// A way to tell the color that a view sees of a texel, by the kernel.
+struct ColorOfView {
+    std::string name;
+    std::function<Rgbf(const SetTexel& texel, const Vec3f& w)> color;
+};
+
+/// The mean color, Smith's exponent (linear in height; rank table of 4 terms), the exponent that
+/// was fitted, and the tables of visibility with as many harmonics as there are, and fewer.
+///
+/// record  how the texels' tables are laid out
+std::vector<ColorOfView> colors_of_views(const VisibilityRecord& record);
+
+/// The table of visibility read with `harmonics` of those it has.
+ColorOfView table_color(const VisibilityRecord& record, int harmonics);
+
+/// The same, all harmonics, between its nodes linear in another coordinate than the kernel's.
+///
+/// coordinate  of the cosine of the angle from the normal, in (0, 1]; strictly falling
+ColorOfView table_color_along(const VisibilityRecord& record, const std::string& name,
+                              const std::function<double(double cosine)>& coordinate);
+
+} // namespace scree::test

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "figures/visibility_models.h"
+#include "reference/displaced_surface.h"
+#include "reference/gather.h"
+
+namespace scree::test {
+
+/// Views from all sides: at every angle from the normal the azimuths (j + 1/4) 360 / 16 degrees,
+/// none of which is one that tables are swept at, an axis or a diagonal.
+struct AllViews {
+    AllViews();
+
+    static constexpr size_t kAzimuths = 16;
+    std::vector<double> angles_deg;
+    std::vector<Vec3> views; ///< angle by angle
+};
+
+/// Footprints of one size.
+struct FootprintsOfSize {
+    std::string name; ///< "16", "map"
+    std::vector<reference::Footprint> places;
+    int grid = 1; ///< grid x grid samples a footprint
+};
+
+/// What the reference renderer saw of them.
+struct SeenOfSize {
+    std::string name;
+    std::vector<reference::Estimate> truth; ///< one a footprint
+};
+
+SeenOfSize see(const reference::DisplacedSurface& surface, const FootprintsOfSize& footprints,
+               const AllViews& views);
+
+/// Mean squares, one an angle: errors of color, relative to a color. Over footprints, azimuths,
+/// R, G and B, by visible area.
+using SquaresOfAngles = std::vector<double>;
+
+/// texels  one a footprint;  mean_color  what errors are relative to
+SquaresOfAngles squares_of(const ColorOfView& model, const std::vector<SetTexel>& texels,
+                           const SeenOfSize& seen, const AllViews& views, double mean_color);
+
+/// Of the truth itself: half the difference of two halves of its samples.
+SquaresOfAngles squares_of_noise(const SeenOfSize& seen, const AllViews& views, double mean_color);
+
+} // namespace scree::test
