@@ -180,7 +180,9 @@ private:
         return moved;
     }
 
-    static constexpr double kPassing = 10; // a pixel of a leader over what is not its own
+    /// A pixel of a leader over what is not its own: across a line of text that is dearer than the
+    /// farthest place.
+    static constexpr double kPassing = 40;
 
     const std::vector<Spot>& points_;
     double radius_;

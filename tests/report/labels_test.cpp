@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <random>
 
 namespace scree::report {
@@ -84,6 +85,44 @@ TEST(Labels, NoneLiesOnAnotherOrOnAMarkerAndFewAreLost)
     }
     // 25 labels of 50 x 14 fill a seventh of the frame: there is room for them.
     EXPECT_GT(placed, 0.98 * wanted);
+}
+
+/// How many leaders go over a label that is not theirs, by points along them.
+int leaders_over_labels(const std::vector<Spot>& points,
+                        const std::vector<std::optional<Box>>& boxes)
+{
+    int over = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+        if (!boxes[i])
+            continue;
+        const Spot from = points[i], to = nearest_in(*boxes[i], from);
+        bool meets = false;
+        for (size_t j = 0; j < points.size(); ++j)
+            for (double share = 0; share <= 1 && j != i && boxes[j]; share += 1.0 / 64) {
+                const Spot at = {from.x + share * (to.x - from.x),
+                                 from.y + share * (to.y - from.y)};
+                meets = meets || meet(*boxes[j], {at.x, at.y, at.x, at.y});
+            }
+        over += meets ? 1 : 0;
+    }
+    return over;
+}
+
+TEST(Labels, LeadersOfACrowdGoRoundItsLabels)
+{
+    // The methods of a chart of bricks: two crowds, as wide as two markers, with all room around.
+    const std::vector<Spot> points = {{87, 98},     {89.4, 101},  {90.3, 103},  {91.4, 104},
+                                      {160, 130},   {189, 119},   {182.5, 137}, {192, 137},
+                                      {186, 138},   {184.4, 138}, {184.4, 138}, {185.1, 138},
+                                      {194.9, 138}, {200, 141}};
+    const std::vector<double> widths = {53, 41, 41, 30, 36, 74, 30, 74, 36, 36, 36, 36, 79, 117};
+    std::vector<LabelWish> wishes;
+    for (size_t i = 0; i < points.size(); ++i)
+        wishes.push_back({points[i], widths[i], 14});
+    const auto boxes = place_labels(wishes, points, kRadius, {}, kFrame);
+    for (const auto& box : boxes)
+        EXPECT_TRUE(box);
+    EXPECT_EQ(leaders_over_labels(points, boxes), 0);
 }
 
 TEST(Labels, WithoutRoomThereIsNone)
