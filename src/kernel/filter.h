@@ -95,13 +95,23 @@ Real g2(const Masking<Real>& view, const Masking<Real>& light)
     return kernel::scree_g2(view.lambda, light.lambda);
 }
 
-/// Lambda corrected by what was measured of the asset.
-///
-/// gain, bend  >= 0
+/// One filtered lookup in NAME.exponent.exr, in the order of its channels.
 template <typename Real>
-Real corrected_exponent(Real lambda, Real gain, Real bend)
+struct Exponent {
+    Real gain = 1, power = 1, threshold = 0;
+};
+
+/// The exponent of visible_height() as it was measured of the asset, in place of masking().lambda.
+///
+/// raw  as looked up: its second moments count, not its mean
+/// tau  weight of K0 tails, as in Slopes
+template <typename Real>
+Real measured_exponent(const Vec3<Real>& w, const SlopeMoments<Real>& raw, Real tau,
+                       const Exponent<Real>& exponent)
 {
-    return kernel::scree_corrected_exponent(lambda, gain, bend);
+    const Real lambda = kernel::scree_raw_lambda(w.x, w.y, w.z, raw.ss, raw.st, raw.tt, tau);
+    return kernel::scree_measured_exponent(lambda, exponent.gain, exponent.power,
+                                           exponent.threshold);
 }
 
 /// What a direction sees of the slopes: projected area N, mean and covariance.
@@ -136,7 +146,8 @@ struct VisibleHeight {
     Real mean = 0, variance = 1;
 };
 
-/// exponent  Lambda of the view, plus Lambda of the light for what is seen and lit
+/// exponent  Lambda or measured_exponent() of the view, plus that of the light for what is seen
+///           and lit
 template <typename Real>
 VisibleHeight<Real> visible_height(Real exponent)
 {

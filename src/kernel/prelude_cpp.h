@@ -19,6 +19,7 @@ namespace scree::kernel {
 using std::abs;
 using std::max;
 using std::min;
+using std::pow;
 using std::sqrt;
 
 /// x rounded to the upper half of its digits; x - high_part(x) is exact, and so is the product of

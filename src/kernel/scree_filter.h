@@ -6,8 +6,9 @@
 //   OUT(Real, name)       an output parameter
 //   SCREE_FUNCTION        what stands before a function
 //   scree_high_part, scree_opaque, scree_exp2_minus_nearest   see prelude_cpp.h
-// and everything below is arithmetic on scalars, so that three compilers read the same text. That
-// is why it is one file. docs/filtering.md derives the formulas.
+// and everything below is arithmetic on scalars, so that three compilers read the same text; of the
+// languages' own functions it calls abs, min, max, sqrt and pow. That is why it is one file.
+// docs/filtering.md derives the formulas.
 //
 // Frame: x along +s (right), y along +t (down the image), z out of the surface. w = (wx, wy, wz) is
 // a unit vector away from the surface, to the viewer or to a light. Slopes (s, t) = (dh/ds, dh/dt)
@@ -392,15 +393,39 @@ SCREE_FUNCTION Real scree_g2(Real lambda_o, Real lambda_i)
     return LIT(1.0) / (LIT(1.0) + lambda_o + lambda_i);
 }
 
-/// Lambda as an asset was measured to have it, from Smith's: gain Lambda / (1 + bend Lambda).
+/// Smith's Lambda of the slopes' second moments about the texture plane: mean 0, covariance
+/// (E[ss], E[st], E[tt]).
 ///
-/// lambda      Smith's, in [0, 1e6]
-/// gain, bend  >= 0; gain is the slope for views that hide little, gain / bend the limit at grazing
-/// returns     in [0, 1e6]
-SCREE_FUNCTION Real scree_corrected_exponent(Real lambda, Real gain, Real bend)
+/// Unlike Lambda of the footprint's own mean and covariance it does not blow up where the mean
+/// plane tilts away from the direction.
+///
+/// ss, st, tt  as filtered; made a covariance as in scree_covariance
+/// tau         weight of K0, as in scree_masking
+/// returns     in [0, 1e6]; 1e6 where wz <= 0
+SCREE_FUNCTION Real scree_raw_lambda(Real wx, Real wy, Real wz, Real ss, Real st, Real tt, Real tau)
 {
-    Real e = max(lambda, LIT(0.0));
-    return min(gain * e / (LIT(1.0) + bend * e), LIT(1.0e6));
+    Real css, cst, ctt, lambda, g1;
+    scree_covariance(LIT(0.0), LIT(0.0), ss, st, tt, css, cst, ctt);
+    scree_masking(wx, wy, wz, LIT(0.0), LIT(0.0), css, cst, ctt, tau, lambda, g1);
+    return lambda;
+}
+
+/// Exponent of the visible height as an asset was measured to have it: what takes the place of
+/// Smith's Lambda in color by height,
+///
+///   gain max(lambda - threshold, 0)^power
+///
+/// lambda     of scree_raw_lambda
+/// gain       in [0, 8]; 0 is the mean color
+/// power      in [0.1, 3];  threshold  in [0, 0.3]
+/// returns    in [0, 1e6]; 0 up to the threshold. For view and light together add those of the two
+/// error      in C++ a few roundings; elsewhere that of the language's pow (docs/filtering.md)
+/// source     chosen by measured error; docs/filtering.md
+SCREE_FUNCTION Real scree_measured_exponent(Real lambda, Real gain, Real power, Real threshold)
+{
+    Real above = lambda - threshold;
+    Real raised = above > LIT(0.0) ? pow(above, power) : LIT(0.0);
+    return min(gain * raised, LIT(1.0e6));
 }
 
 /// Mean and covariance of the visible slopes, and the projected area.

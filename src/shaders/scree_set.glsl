@@ -17,6 +17,7 @@
 //   rank_r          rank R1         rank R2         rank R3         rank R4
 //   color_slope_bg  colorslope Bs   colorslope Bt   colorslope Gs   colorslope Gt
 //   color_slope_r   colorslope Rs   colorslope Rt   -               -
+//   exponent        gain            power           threshold       -
 //
 // at every MIP level, as the files hold it: RGBA32F, or RGBA16F where all maps in it are half
 // (ES filters RGBA32F with OES_texture_float_linear only). Wrap as in the manifest. A map that was
@@ -24,8 +25,8 @@
 // Rank and color-slope are here in the order of their files; a rank table of fewer terms is 0 in
 // the rest, for more there is the kernel's scree_color_by_rank.
 //
-// Every channel but rank and tail is a linear moment (what blending costs the rank table is in
-// docs/statistics.md): any filter will do, one lookup a texture, anisotropic at best.
+// Every channel but rank, tail and exponent is a linear moment (what blending costs the rank table is
+// in docs/statistics.md; the exponent's numbers are alike all over a level): any filter will do, one lookup a texture, anisotropic at best.
 // Not so the table of a color map, NAME.map.exr (R G B): one level, GL_LINEAR, GL_CLAMP_TO_EDGE.
 // How visibility tables are read is in scree_visible.glsl.
 //
@@ -91,6 +92,17 @@ float scree_lambda(vec3 w, ScreeFootprint f)
     return lambda;
 }
 
+/// The exponent of a direction as it was measured of the asset, in [0, 1e6]; in place of
+/// scree_lambda for color by height.
+///
+/// slope, extra  texels of those textures, filtered: their second moments and tau
+/// measured      gain, power and threshold of NAME.exponent.exr, filtered
+float scree_exponent(vec3 w, vec4 slope, vec4 extra, vec3 measured)
+{
+    float lambda = scree_raw_lambda(w.x, w.y, w.z, slope.b, extra.r, slope.a, extra.a);
+    return scree_measured_exponent(lambda, measured.x, measured.y, measured.z);
+}
+
 /// Mean and covariance of the slopes a direction sees.
 void scree_seen_slopes(vec3 w, ScreeFootprint f, out vec2 mean, out vec3 covariance)
 {
@@ -102,7 +114,7 @@ void scree_seen_slopes(vec3 w, ScreeFootprint f, out vec2 mean, out vec3 covaria
 
 /// Visible color by its linear correlation with height.
 ///
-/// exponent  Lambda of the view; of view plus light for what is seen and lit
+/// exponent  scree_lambda or scree_exponent of the view; of view plus light for what is seen and lit
 vec3 scree_visible_color(ScreeFootprint f, float exponent)
 {
     float mean = 0.0;

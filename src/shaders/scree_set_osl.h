@@ -11,6 +11,7 @@
 struct ScreeFootprint {
     float s, t;          // mean slope
     float css, cst, ctt; // its covariance
+    float ss, st, tt;    // its second moments about the texture plane
     float tau;           // weight of heavy tails
 };
 
@@ -70,8 +71,10 @@ ScreeFootprint scree_footprint(string folder, string name, float s, float t, flo
     f.s = height_scale * first[0];
     f.t = height_scale * mean_t;
     float scale2 = height_scale * height_scale;
-    scree_covariance(f.s, f.t, scale2 * first[1], scale2 * first[2], scale2 * last[0], f.css, f.cst,
-                     f.ctt);
+    f.ss = scale2 * first[1];
+    f.st = scale2 * first[2];
+    f.tt = scale2 * last[0];
+    scree_covariance(f.s, f.t, f.ss, f.st, f.tt, f.css, f.cst, f.ctt);
     f.tau = 0;
     int has_tail = 0;
     string tail = scree_file(folder, name, "tail");
@@ -80,6 +83,16 @@ ScreeFootprint scree_footprint(string folder, string name, float s, float t, flo
         f.tau = tau[0];
     }
     return f;
+}
+
+// The exponent of a direction w as it was measured of the asset, NAME.exponent.exr (gain, power,
+// threshold); in place of Smith's Lambda for color by height.
+float scree_exponent(string folder, string name, float s, float t, vector w, ScreeFootprint f)
+{
+    float unused = 0;
+    color measured = scree_lookup(scree_file(folder, name, "exponent"), s, t, 0, unused);
+    float lambda = scree_raw_lambda(w[0], w[1], w[2], f.ss, f.st, f.tt, f.tau);
+    return scree_measured_exponent(lambda, measured[0], measured[1], measured[2]);
 }
 
 // Visible color by its linear correlation with height. c: mean color.
@@ -257,14 +270,15 @@ color scree_table_color_lit(color c, color seen, color lit, vector wo, vector wi
 // Visible color of a set for a view w in its frame.
 //
 // color_model     0 mean color; 1 linear in height (colorheight); 2 by height rank (rank); 3 the
-//                 color map the set was colored with (map); 4 visibility tables (visible)
+//                 color map the set was colored with (map); 4 visibility tables (visible); 5 linear
+//                 in height with the measured exponent (colorheight, exponent)
 // slope_color     1 adds the correlation with slope (colorslope); a color map by slope and
 //                 visibility tables see the slope already and leave it out
 // height_scale    scales slopes. Ranks of heights know no scale, a color map by height keeps the
 //                 colors of the heights as baked, and tables the visibility as baked
 // light_exponent  Lambda of the light, added to the view's, for what is both seen and lit; 0 else
-// light           to the light, in the frame, for what is both seen and lit by visibility tables,
-//                 which need no exponent; 0 else
+// light           to the light, in the frame, for what is both seen and lit by visibility tables or
+//                 with the measured exponent, which do not look at light_exponent; 0 else
 color scree_visible_color(string folder, string name, float s, float t, float height_scale,
                           vector w, ScreeFootprint f, int color_model, int slope_color,
                           float light_exponent, vector light)
@@ -286,6 +300,12 @@ color scree_visible_color(string folder, string name, float s, float t, float he
         result = scree_map_color(folder, name, s, t, w, f, exponent, by);
     else if (color_model == 4)
         result = scree_table_color(folder, name, s, t, w, c);
+    else if (color_model == 5) {
+        exponent = scree_exponent(folder, name, s, t, w, f);
+        if (dot(light, light) > 0)
+            exponent += scree_exponent(folder, name, s, t, light, f);
+        result = scree_linear_color(folder, name, s, t, c, exponent);
+    }
     if (color_model == 4 && dot(light, light) > 0)
         result = scree_table_color_lit(
             c, result, scree_table_color(folder, name, s, t, light, c), w, light);

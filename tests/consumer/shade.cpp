@@ -28,6 +28,18 @@ V3f visible_by_rank(const V3f& color, const V3f (&a)[4], float exponent)
     return filter::color_by_rank(color, a, 4, exponent);
 }
 
+// The visible color by height with the exponent that was measured of the asset: one filtered lookup
+// in NAME.exponent.exr.
+V3f visible_by_exponent(const filter::SlopeMoments<float>& slope, float tau, const V3f& color,
+                        float h, float hh, const V3f& color_height,
+                        const filter::Exponent<float>& exponent, const V3f& to_viewer,
+                        const V3f& to_light)
+{
+    const float of_both = filter::measured_exponent(to_viewer, slope, tau, exponent) +
+                          filter::measured_exponent(to_light, slope, tau, exponent);
+    return filter::color_by_height(color, color_height, h, hh, filter::visible_height(of_both));
+}
+
 // Of a set with visibility tables, what is seen and lit: a table is one filtered lookup in all
 // channels of NAME.visible.exr, and the nodes in its header.
 V3f visible_by_tables(const V3f& color, const filter::VisibilityTable<float>& table,

@@ -7,15 +7,16 @@ SCREE_FUNCTION void case_outputs(
     Real tt, Real tau, Real base_alpha, Real h, Real hh, Real c, Real ch, Real cs, Real ct, Real a1,
     Real a2, Real a3, Real a4, Real a5, Real a6, Real a7, Real a8, Real raw_s, Real raw_t,
     Real raw_ss, Real raw_st, Real raw_tt, Real node_near, Real node_far, Real table_c, Real beta,
-    Real a, Real lit_c, Real gain, Real bend, OUT(Real, css), OUT(Real, cst), OUT(Real, ctt),
-    OUT(Real, area), OUT(Real, vs), OUT(Real, vt), OUT(Real, vss), OUT(Real, vst), OUT(Real, vtt),
-    OUT(Real, lambda), OUT(Real, g1), OUT(Real, height_mean), OUT(Real, height_variance),
-    OUT(Real, by_height), OUT(Real, by_rank), OUT(Real, by_slope), OUT(Real, map_u),
-    OUT(Real, map_v), OUT(Real, alpha_x), OUT(Real, alpha_y), OUT(Real, angle_rad),
-    OUT(Real, specular), OUT(Real, diffuse), OUT(Real, projected), OUT(Real, along),
-    OUT(Real, steepness), OUT(Real, steepness_spread), OUT(Real, coordinate), OUT(Real, share),
-    OUT(Real, cos1), OUT(Real, cos2), OUT(Real, sin1), OUT(Real, sin2), OUT(Real, visible_area),
-    OUT(Real, by_visibility), OUT(Real, overlap), OUT(Real, seen_and_lit), OUT(Real, corrected))
+    Real a, Real lit_c, Real second_ss, Real second_st, Real second_tt, Real gain, Real power,
+    Real threshold, OUT(Real, css), OUT(Real, cst), OUT(Real, ctt), OUT(Real, area), OUT(Real, vs),
+    OUT(Real, vt), OUT(Real, vss), OUT(Real, vst), OUT(Real, vtt), OUT(Real, lambda), OUT(Real, g1),
+    OUT(Real, height_mean), OUT(Real, height_variance), OUT(Real, by_height), OUT(Real, by_rank),
+    OUT(Real, by_slope), OUT(Real, map_u), OUT(Real, map_v), OUT(Real, alpha_x), OUT(Real, alpha_y),
+    OUT(Real, angle_rad), OUT(Real, specular), OUT(Real, diffuse), OUT(Real, projected),
+    OUT(Real, along), OUT(Real, steepness), OUT(Real, steepness_spread), OUT(Real, coordinate),
+    OUT(Real, share), OUT(Real, cos1), OUT(Real, cos2), OUT(Real, sin1), OUT(Real, sin2),
+    OUT(Real, visible_area), OUT(Real, by_visibility), OUT(Real, overlap), OUT(Real, seen_and_lit),
+    OUT(Real, raw_lambda), OUT(Real, measured))
 {
     scree_covariance(raw_s, raw_t, raw_ss, raw_st, raw_tt, css, cst, ctt);
     scree_visible_slopes(wox, woy, woz, s, t, ss, st, tt, tau, area, vs, vt, vss, vst, vtt);
@@ -41,7 +42,8 @@ SCREE_FUNCTION void case_outputs(
     by_visibility = scree_color_by_visibility(table_c, beta, a);
     overlap = scree_view_light_overlap(wox, woy, wix, wiy);
     seen_and_lit = scree_color_seen_and_lit(table_c, by_visibility, lit_c, overlap);
-    corrected = scree_corrected_exponent(lambda, gain, bend);
+    raw_lambda = scree_raw_lambda(wox, woy, woz, second_ss, second_st, second_tt, tau);
+    measured = scree_measured_exponent(raw_lambda, gain, power, threshold);
 
     scree_beckmann_roughness(ss, st, tt, base_alpha, alpha_x, alpha_y, angle_rad);
     specular = scree_specular(wox, woy, woz, wix, wiy, wiz, s, t, ss, st, tt, base_alpha);

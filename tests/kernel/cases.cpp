@@ -67,6 +67,8 @@ public:
         set(kRawS, raw_s), set(kRawT, raw_t);
         set(kRawSs, c.ss + raw_s * raw_s), set(kRawSt, c.st + raw_s * raw_t);
         set(kRawTt, c.tt + raw_t * raw_t);
+        set(kSecondSs, c.ss + ms * ms), set(kSecondSt, c.st + ms * mt);
+        set(kSecondTt, c.tt + mt * mt);
         add_table(row);
         rows_.push_back(row);
         return rows_.back();
@@ -77,7 +79,7 @@ public:
 
 private:
     /// What a table may tell of the direction, and what it should not but may: no area or less than
-    /// none, black, a color that visibility does not touch.
+    /// none, black, a color that visibility does not touch. And an exponent as it may be measured.
     void add_table(KernelCase& row)
     {
         static constexpr double kNodeDegrees[][2] = {{0, 30},  {30, 60}, {45, 72},  {60, 80},
@@ -95,8 +97,9 @@ private:
         set(kTableC, c), set(kA, excess);
         set(kBeta, excess * c + shift * std::max(1 + excess, 0.02));
         set(kLitC, turn % 13 == 4 ? 0 : (c + 0.01) * of_tables_.uniform(0, 6));
-        set(kGain, of_tables_.uniform(0.2, 3));
-        set(kBend, turn % 3 == 0 ? 0 : of_tables_.uniform(0, 2));
+        set(kGain, turn % 17 == 6 ? 0 : of_tables_.uniform(0.2, 8));
+        set(kPower, of_tables_.uniform(0.1, 3));
+        set(kThreshold, turn % 3 == 0 ? 0 : of_tables_.uniform(0, 0.3));
     }
 
     Random random_;
@@ -257,7 +260,8 @@ const char* output_name(int output)
                                                 "color by visibility",
                                                 "overlap of view and light",
                                                 "color seen and lit",
-                                                "corrected exponent"};
+                                                "Lambda of raw moments",
+                                                "measured exponent"};
     return names[output];
 }
 

@@ -11,8 +11,9 @@ namespace scree::test {
 /// Directions are unit vectors away from the surface; mean, covariance and tau describe the slope;
 /// kRaw* are raw moments of the same covariance (up to rounding) about another mean, for
 /// scree_covariance; then height and color; kNodeNear and what follows is what visibility tables
-/// and a corrected exponent need. Numbers of float32, so that every language and the oracle start
-/// from the same ones. The order is that of the parameters of case_outputs().
+/// need; kSecond* are the raw second moments of the slope of that mean and covariance (up to
+/// rounding), for the measured exponent. Numbers of float32, so that every language and the oracle
+/// start from the same ones. The order is that of the parameters of case_outputs().
 enum Input : int {
     kWox,
     kWoy,
@@ -46,8 +47,12 @@ enum Input : int {
     kBeta,
     kA,
     kLitC,
+    kSecondSs,
+    kSecondSt,
+    kSecondTt,
     kGain,
-    kBend,
+    kPower,
+    kThreshold,
     kInputs
 };
 
@@ -90,7 +95,8 @@ enum Output : int {
     kByVisibility,
     kOverlap,
     kSeenAndLit,
-    kCorrected,
+    kRawLambda,
+    kMeasured,
     kOutputs
 };
 

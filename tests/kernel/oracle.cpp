@@ -187,6 +187,18 @@ Setting<Real> from_below(Setting<Real> g)
     return g;
 }
 
+/// The view, and slopes of mean 0 with the case's raw second moments.
+template <typename Real>
+Setting<Real> of_second_moments(const KernelCase& row)
+{
+    Setting<Real> g = setting_of<Real>(row);
+    g.ms = 0, g.mt = 0;
+    g.css = row.in[kSecondSs], g.ctt = row.in[kSecondTt];
+    const Real most = sqrt(g.css * g.ctt); // rounding to float32 may have gone beyond it
+    g.cst = std::max<Real>(-most, std::min<Real>(most, row.in[kSecondSt]));
+    return g;
+}
+
 template <typename Real>
 Real specular(const KernelCase& row)
 {
@@ -326,7 +338,12 @@ Outputs<double> oracle_in(const KernelCase& row)
     set(kSteepness, sqrt(g.ms * g.ms + g.mt * g.mt));
     set(kSteepnessSpread, sqrt((g.css + g.ctt) / 2));
     set_table_outputs<Real>(row, set);
+    const Setting<Real> about_plane = of_second_moments<Real>(row);
+    set(kRawLambda,
+        smith_lambda<Real>(about_plane.wz,
+                           mixed_moments<Real>(from_below(about_plane), in[kTau]).area));
     take_exponent(row, out[kLambda], out);
+    take_raw_lambda(row, out[kRawLambda], out);
     return out;
 }
 
@@ -402,9 +419,14 @@ void take_exponent(const KernelCase& row, double exponent, Outputs<double>& outp
     const double y = std::sqrt(unit(sigma * std::sqrt(seen.variance) / 2));
     outputs[kMapU] = (x * 255 + 0.5) / 256;
     outputs[kMapV] = (y * 31 + 0.5) / 32;
+}
 
-    outputs[kCorrected] =
-        std::min(1e6, row.in[kGain] / (1 / exponent + static_cast<double>(row.in[kBend])));
+void take_raw_lambda(const KernelCase& row, double lambda, Outputs<double>& outputs)
+{
+    const double above = std::max(lambda - static_cast<double>(row.in[kThreshold]), 0.0);
+    const double log_exponent = std::log(above) * static_cast<double>(row.in[kPower]) +
+                                std::log(static_cast<double>(row.in[kGain]));
+    outputs[kMeasured] = std::min(std::exp(log_exponent), 1e6);
 }
 
 FacingMoments gaussian_facing_moments(const KernelCase& row, double spread, double from_s,

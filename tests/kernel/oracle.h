@@ -25,6 +25,9 @@ Outputs<double> oracle(const KernelCase& row, Digits digits = Digits::k100);
 /// that exponent: a kernel's own Lambda, so that its error is not counted twice.
 void take_exponent(const KernelCase& row, double exponent, Outputs<double>& outputs);
 
+/// Likewise the measured exponent, for that Lambda of the raw moments.
+void take_raw_lambda(const KernelCase& row, double lambda, Outputs<double>& outputs);
+
 /// E[W], E[W d], E[W d d'] of the slope d from a given point, W = max(0, wz - w.slope).
 struct FacingMoments {
     double area, s, t, ss, st, tt;

@@ -344,15 +344,5 @@ TEST(ColorSeenAndLit, IsNeverLessThanBlack)
     EXPECT_EQ(kernel::scree_color_seen_and_lit(0.5F, 0.0F, 0.75F, 0.85F), 0.25F);
 }
 
-TEST(CorrectedExponent, BendsFromItsGainToItsLimit)
-{
-    for (const double lambda : {0.0, 1e-6, 0.3, 5.0, 1e6})
-        EXPECT_EQ(filter::corrected_exponent(lambda, 1.0, 0.0), lambda);
-    EXPECT_NEAR(filter::corrected_exponent(1e-6, 0.7, 2.0) / 1e-6, 0.7, 1e-5);
-    EXPECT_NEAR(filter::corrected_exponent(1e6, 0.7, 2.0), 0.35, 1e-5);
-    EXPECT_EQ(filter::corrected_exponent(1e6, 3.0, 0.0), 1e6) << "infinity stays infinity";
-    EXPECT_EQ(filter::corrected_exponent(0.0, 0.7, 2.0), 0);
-}
-
 } // namespace
 } // namespace scree::test

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/exponent_levels.h"
 #include "shaders/gl_fixture.h"
 #include "shaders/packed_set.h"
 
@@ -21,7 +22,7 @@ std::vector<std::pair<std::string, GLuint>> upload(GlContext& context, const Pac
     const auto nearest = [&](const std::vector<Image>& levels) {
         return context.texture(levels, GlFilter::nearest);
     };
-    // A set without a color map has something else in its place, which no model looks at.
+    // What a set does not have has something else in its place, which no model looks at.
     return {{"slope", nearest(set.slope)},
             {"extra", nearest(set.extra)},
             {"color", nearest(set.color)},
@@ -31,6 +32,7 @@ std::vector<std::pair<std::string, GLuint>> upload(GlContext& context, const Pac
             {"rank_r", nearest(set.rank_r)},
             {"color_slope_bg", nearest(set.color_slope_bg)},
             {"color_slope_r", nearest(set.color_slope_r)},
+            {"exponents", nearest(set.exponent.empty() ? set.color : set.exponent)},
             {"map", context.texture(set.map.empty() ? set.color : set.map, GlFilter::trilinear,
                                     GL_CLAMP_TO_EDGE)}};
 }
@@ -98,9 +100,10 @@ protected:
 TEST_P(GlslColor, ByHeightRankAndSlopeIsThatOfTheCppFront)
 {
     for (const std::string kind : {"bricks", "fractal"}) {
-        const SampleSet set = bake_sample(kind, 60, 45);
+        SampleSet set = bake_sample(kind, 60, 45);
+        set.exponent = exponent_levels(60, 45);
         std::vector<ColorLook> looks;
-        for (const int model : {0, 1, 2})
+        for (const int model : {0, 1, 2, 5})
             for (const bool slope_color : {false, true})
                 looks.push_back({model, slope_color});
         RecordProperty("worst " + kind, fmt::format("{:.1e}", worst_difference(set, looks)));

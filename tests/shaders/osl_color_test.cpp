@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "pipeline/bake.h"
+#include "shaders/exponent_levels.h"
 #include "shaders/osl_fixture.h"
 #include "shaders/sample_set.h"
 #include "support/random_image.h"
@@ -119,6 +120,23 @@ TEST_F(OslColor, ByVisibilityTablesIsThatOfTheCppFront)
     }
 }
 
+// Without and with a light, as baked and with heights scaled, which scales second moments twice.
+TEST_F(OslColor, WithTheMeasuredExponentIsThatOfTheCppFront)
+{
+    compile("src/shaders/scree_raw.osl");
+    bake_sample_into(temp_ / "set", "bricks", kSize, kSize);
+    write_exponent_levels(temp_ / "set/test.exponent.exr", exponent_levels(kSize, kSize));
+    for (const bool slope_color : {false, true})
+        for (const float height_scale : {1.0F, 2.0F}) {
+            ColorLook look{5, slope_color, 0, height_scale};
+            const std::string key =
+                fmt::format("worst slope {} scale {}", slope_color, height_scale);
+            RecordProperty(key, fmt::format("{:.1e}", worst_difference("test", look)));
+            look.light = V3f(0.3F, 0.5F, 0.4F).normalized();
+            RecordProperty(key + " lit", fmt::format("{:.1e}", worst_difference("test", look)));
+        }
+}
+
 TEST_F(OslColor, ByRankTakesAsManyTermsAsTheFileHas)
 {
     compile("src/shaders/scree_raw.osl");
@@ -169,11 +187,10 @@ TEST_F(OslColor, AMissingMapIsNamed)
     bake_sample_into(temp_ / "set", "bricks", kSize, kSize);
     for (const char* map : {"rank", "colorheight", "colorslope"})
         std::filesystem::remove(temp_ / "set" / fmt::format("test.{}.exr", map));
-    const std::pair<ColorLook, const char*> cases[] = {{{4, false}, "test.visible.exr"},
-                                                       {{1, false}, "test.colorheight.exr"},
-                                                       {{2, false}, "test.rank.exr"},
-                                                       {{3, false}, "test.map.exr"},
-                                                       {{0, true}, "test.colorslope.exr"}};
+    const std::pair<ColorLook, const char*> cases[] = {
+        {{4, false}, "test.visible.exr"},     {{5, false}, "test.exponent.exr"},
+        {{1, false}, "test.colorheight.exr"}, {{2, false}, "test.rank.exr"},
+        {{3, false}, "test.map.exr"},         {{0, true}, "test.colorslope.exr"}};
     for (const auto& [look, file] : cases) {
         const RunResult result = shade_color("test", 3, V3f(0, 0, 1), look);
         EXPECT_NE(result.status, 0);

@@ -7,6 +7,7 @@
 #include "pipeline/bake.h"
 #include "shaders/agreement.h"
 #include "shaders/doc_example.h"
+#include "shaders/exponent_levels.h"
 #include "shaders/osl_fixture.h"
 #include "shaders/sample_set.h"
 #include "support/random_image.h"
@@ -20,7 +21,7 @@ using Imath::V3f;
 TEST_F(Osl, KernelAgreesWithCppOnTheWholeTable)
 {
     const auto cases = kernel_cases();
-    Image table{10, static_cast<int>(cases.size()), {"R", "G", "B", "A"}, {}};
+    Image table{kInputs / 4, static_cast<int>(cases.size()), {"R", "G", "B", "A"}, {}};
     for (const KernelCase& row : cases)
         table.pixels.insert(table.pixels.end(), row.in.begin(), row.in.end());
     write_image(temp_ / "cases.exr", table);
@@ -237,12 +238,13 @@ TEST_F(Osl, TheExampleOfTheDocsCompilesAndRuns)
     bake_sample_into(temp_ / "set", "fractal", 64, 64, MapBy::height); // every map there is
     write_visible_tables(temp_ / "set/test.visible.exr",
                          random_visible_tables(64, 64, {0.7F, 0.3F}, 1));
+    write_exponent_levels(temp_ / "set/test.exponent.exr", exponent_levels(64, 64));
     std::ofstream(temp_ / "my_surface.osl") << doc_example("c");
     const RunResult compiled =
         run(temp_.path(), {tools_.oslc.string(), "-I" SCREE_SOURCE "/src",
                            "-I" SCREE_SOURCE "/src/shaders", "my_surface.osl"});
     ASSERT_EQ(compiled.status, 0) << compiled.said;
-    for (const char* color_model : {"0", "1", "2", "3", "4"}) {
+    for (const char* color_model : {"0", "1", "2", "3", "4", "5"}) {
         const RunResult result =
             shade({"-g", "2", "2", "--param", "folder", "set", "--param", "name", "test", "--param",
                    "color_model", color_model, "-o", "Ci", "null", "my_surface"});

@@ -47,6 +47,8 @@ PackedSet pack(const SampleSet& set)
     out.rank_r = of(set.rank, {"R1", "R2", "R3", "R4"});
     out.color_slope_bg = of(set.colorslope, {"Bs", "Bt", "Gs", "Gt"});
     out.color_slope_r = of(set.colorslope, {"Rs", "Rt", "", ""});
+    if (!set.exponent.empty())
+        out.exponent = of(set.exponent, {"gain", "power", "threshold", ""});
     if (set.map.width > 0)
         out.map = of({set.map}, {"R", "G", "B", ""});
     return out;

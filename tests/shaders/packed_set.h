@@ -10,7 +10,8 @@ namespace scree::test {
 struct PackedSet {
     std::vector<Image> slope, extra, color, color_height;
     std::vector<Image> rank_b, rank_g, rank_r, color_slope_bg, color_slope_r;
-    std::vector<Image> map; ///< one level; none where the set has no color map
+    std::vector<Image> exponent; ///< none where the set has none
+    std::vector<Image> map;      ///< one level; none where the set has no color map
 };
 
 PackedSet pack(const SampleSet& set);

@@ -75,6 +75,20 @@ V3f table_color(const SampleSet& set, size_t level, int x, int y, const V3f& vie
                                       look.light);
 }
 
+/// The measured exponent, of the view, and of the light where there is one.
+float measured_exponent(const SampleSet& set, size_t level, int x, int y, const V3f& view,
+                        const ColorLook& look)
+{
+    const auto number = [&](const char* name) { return value(set.exponent[level], x, y, name); };
+    const filter::Exponent<float> measured{number("gain"), number("power"), number("threshold")};
+    const auto raw = slope_moments_of(set, level, x, y, look.height_scale);
+    const float tau = value(set.tail[level], x, y, "tau");
+    float exponent = filter::measured_exponent(view, raw, tau, measured);
+    if (look.light != V3f(0))
+        exponent += filter::measured_exponent(look.light, raw, tau, measured);
+    return exponent;
+}
+
 } // namespace
 
 SampleSet read_set(const std::filesystem::path& folder)
@@ -96,6 +110,8 @@ SampleSet read_set(const std::filesystem::path& folder)
     const auto visible = folder / (manifest.name + ".visible.exr");
     if (std::filesystem::exists(visible))
         set.visible = read_visible_tables(visible);
+    if (std::filesystem::exists(folder / (manifest.name + ".exponent.exr")))
+        set.exponent = levels("exponent");
     if (!manifest.color_map)
         return set;
     set.map = levels("map").at(0);
@@ -155,15 +171,19 @@ V3f rgb(const Image& image, int x, int y)
     return {value(image, x, y, "R"), value(image, x, y, "G"), value(image, x, y, "B")};
 }
 
-filter::Slopes<float> slopes_of(const SampleSet& set, size_t level, int x, int y,
-                                float height_scale)
+filter::SlopeMoments<float> slope_moments_of(const SampleSet& set, size_t level, int x, int y,
+                                             float height_scale)
 {
     const auto slope = [&](const char* name) { return value(set.slope[level], x, y, name); };
     const float square = height_scale * height_scale;
-    return filter::slopes(filter::SlopeMoments<float>{height_scale * slope("s"),
-                                                      square * slope("ss"), square * slope("st"),
-                                                      height_scale * slope("t"),
-                                                      square * slope("tt")},
+    return {height_scale * slope("s"), square * slope("ss"), square * slope("st"),
+            height_scale * slope("t"), square * slope("tt")};
+}
+
+filter::Slopes<float> slopes_of(const SampleSet& set, size_t level, int x, int y,
+                                float height_scale)
+{
+    return filter::slopes(slope_moments_of(set, level, x, y, height_scale),
                           value(set.tail[level], x, y, "tau"));
 }
 
@@ -171,11 +191,13 @@ V3f visible_color(const SampleSet& set, size_t level, int x, int y, const V3f& v
                   const ColorLook& look)
 {
     const filter::Slopes<float> slopes = slopes_of(set, level, x, y, look.height_scale);
-    const float exponent = filter::masking(view, slopes).lambda + look.light_exponent;
+    const bool measured = look.color_model == 5;
+    const float exponent = measured ? measured_exponent(set, level, x, y, view, look)
+                                    : filter::masking(view, slopes).lambda + look.light_exponent;
     const float h = value(set.height[level], x, y, "h"), hh = value(set.height[level], x, y, "hh");
     const V3f c = rgb(set.color[level], x, y);
     V3f result = c;
-    if (look.color_model == 1)
+    if (look.color_model == 1 || measured)
         result = filter::color_by_height(c, rgb(set.colorheight[level], x, y), h, hh,
                                          filter::visible_height(exponent));
     if (look.color_model == 2) {

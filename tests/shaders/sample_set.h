@@ -23,7 +23,8 @@ struct SampleSet {
     filter::ColorMapTable<float> map_table; ///< as the manifest has it
     std::string map_by;                     ///< likewise
     float map_azimuth_rad = 0;
-    VisibleTables visible; ///< no levels where the set has none
+    VisibleTables visible;       ///< no levels where the set has none
+    std::vector<Image> exponent; ///< likewise
 };
 
 /// Any set with height and color.
@@ -45,18 +46,20 @@ float value(const Image& image, int x, int y, const std::string& channel);
 /// R, G and B of a texel.
 Imath::V3f rgb(const Image& image, int x, int y);
 
-/// Slopes of a texel; heights are scaled.
+/// Slopes of a texel, as looked up and made of that; heights are scaled.
+filter::SlopeMoments<float> slope_moments_of(const SampleSet& set, size_t level, int x, int y,
+                                             float height_scale = 1);
 filter::Slopes<float> slopes_of(const SampleSet& set, size_t level, int x, int y,
                                 float height_scale = 1);
 
 /// How scree_visible_color() in OSL tells the color, its parameters.
 struct ColorLook {
     int color_model = 1; ///< 0 mean color, 1 linear in height, 2 height rank, 3 color map, 4
-                         ///< visibility tables
+                         ///< visibility tables, 5 linear in height with the measured exponent
     bool slope_color = false;
     float light_exponent = 0;
     float height_scale = 1;
-    Imath::V3f light{0, 0, 0}; ///< unit, of visibility tables; 0 leaves it out
+    Imath::V3f light{0, 0, 0}; ///< unit, of models 4 and 5; 0 leaves it out
 };
 
 /// What the kernel's C++ front makes of a texel; channels are read by their names.

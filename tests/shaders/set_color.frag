@@ -2,6 +2,7 @@
 
 uniform sampler2D slope, extra, color, color_height;
 uniform sampler2D rank_b, rank_g, rank_r, color_slope_bg, color_slope_r;
+uniform sampler2D exponents;
 uniform sampler2D map;
 uniform vec2 size;       // of that level, texels
 uniform float level;
@@ -33,6 +34,10 @@ void main()
             at = scree_seen_steepness(wo, f);
         seen = scree_map_color(map, map_range, at);
     }
+    if (color_model == 5)
+        seen = scree_visible_color(f, scree_exponent(wo, textureLod(slope, st, level),
+                                                     textureLod(extra, st, level),
+                                                     textureLod(exponents, st, level).rgb));
     if (slope_color)
         seen = scree_add_slope_color(seen, wo, f, textureLod(color_slope_bg, st, level),
                                      textureLod(color_slope_r, st, level));

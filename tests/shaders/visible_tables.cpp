@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "shaders/mip_image.h"
 #include "support/random_image.h"
 
 namespace scree::test {
@@ -64,28 +65,12 @@ VisibleTables random_visible_tables(int width, int height, const std::vector<flo
 
 void write_visible_tables(const std::filesystem::path& file, const VisibleTables& tables)
 {
-    auto out = OIIO::ImageOutput::create(file.string());
-    ASSERT_TRUE(out) << file << ": " << OIIO::geterror();
-    for (size_t l = 0; l < tables.levels.size(); ++l) {
-        const Image& level = tables.levels[l];
-        OIIO::ImageSpec spec(level.width, level.height, static_cast<int>(level.channels.size()),
-                             OIIO::TypeDesc::FLOAT);
-        spec.channelnames = level.channels;
-        spec.tile_width = spec.tile_height = 64;
-        spec.attribute("textureformat", "Plain Texture"); // else OpenImageIO writes no levels
-        spec.attribute("wrapmodes", "periodic,periodic");
+    write_mip_image(file, tables.levels, [&](OIIO::ImageSpec& spec) {
         spec.attribute("scree:nodes", static_cast<int>(tables.cosines.size()));
         spec.attribute("scree:harmonics", tables.harmonics);
         for (size_t k = 0; k < tables.cosines.size(); ++k)
             spec.attribute(fmt::format("scree:nodeCosine{}", k + 1), tables.cosines[k]);
-        ASSERT_TRUE(
-            out->open(file.string(), spec,
-                      l == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel))
-            << out->geterror();
-        ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, level.pixels.data()))
-            << out->geterror();
-    }
-    ASSERT_TRUE(out->close()) << out->geterror();
+    });
 }
 
 VisibleTables read_visible_tables(const std::filesystem::path& file)
