@@ -15,12 +15,6 @@ constexpr int kBins = static_cast<int>(kHighest - kLowest) * kAnOctave + 1;
 
 double lambda_of(int bin) { return std::exp2(kLowest + static_cast<double>(bin) / kAnOctave); }
 
-double exponent(const ExponentFit& fit, double lambda)
-{
-    const double above = lambda - fit.threshold;
-    return above > 0 ? fit.gain * std::pow(above, fit.power) : 0;
-}
-
 } // namespace
 
 ExponentBins::ExponentBins(int elevations)
@@ -71,7 +65,9 @@ double ExponentBins::squares(int elevation, const ExponentFit& fit) const
         const Bin& bin = bins[static_cast<size_t>(i)];
         if (!(bin.weight > 0))
             continue;
-        const double mean = filter::visible_height(exponent(fit, lambda_of(i))).mean;
+        const double exponent =
+            kernel::scree_measured_exponent(lambda_of(i), fit.gain, fit.power, fit.threshold);
+        const double mean = filter::visible_height(exponent).mean;
         sum += bin.truth + mean * (mean * bin.shift - 2 * bin.product);
     }
     return std::max(sum, 0.0);
