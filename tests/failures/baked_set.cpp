@@ -49,6 +49,14 @@ BakeOptions plain_options(Wrap wrap)
     return options;
 }
 
+BakeOptions table_options(Wrap wrap)
+{
+    BakeOptions options = plain_options(wrap);
+    options.maps = {Map::slope, Map::color, Map::visible};
+    options.table.harmonics = 2;
+    return options;
+}
+
 BakedSet baked(const MemorySource& surface, const BakeOptions& options)
 {
     auto temp = std::make_unique<TempFolder>();
@@ -129,6 +137,11 @@ double red_by_map(const BakedSet& set, const SetTexel& texel, const Vec3f& wo)
     const auto lambda = static_cast<float>(lambda_of(slopes_of(texel), wo));
     return static_cast<double>(
         color_of_exponent(texel, set.colors(), ColorModel::map, false, wo, lambda)[0]);
+}
+
+double red_by_tables(const BakedSet& set, const SetTexel& texel, const Vec3f& wo)
+{
+    return static_cast<double>(visible_color(texel, set.colors(), ColorModel::visible, wo)[0]);
 }
 
 double lambda_of(const filter::Slopes<float>& slopes, const Vec3f& wo)

@@ -39,6 +39,9 @@ private:
 /// Texels of one unit, edges as given, float, all maps the surface allows.
 BakeOptions plain_options(Wrap wrap = Wrap::periodic);
 
+/// The same with slope, color and tables of visibility alone: four nodes, two harmonics.
+BakeOptions table_options(Wrap wrap = Wrap::periodic);
+
 BakedSet baked(const MemorySource& surface, const BakeOptions& options);
 /// From options.height_file.
 BakedSet baked_file(const BakeOptions& options);
@@ -67,6 +70,9 @@ double red_by_height(const SetTexel& texel, double exponent);
 double red_by_slope(const SetTexel& texel, const Vec3f& wo);
 /// The same by the table of the set's color map.
 double red_by_map(const BakedSet& set, const SetTexel& texel, const Vec3f& wo);
+
+/// The same by the set's tables of visibility.
+double red_by_tables(const BakedSet& set, const SetTexel& texel, const Vec3f& wo);
 
 /// Smith's masking by the kernel: Lambda, G1.
 double lambda_of(const filter::Slopes<float>& slopes, const Vec3f& wo);

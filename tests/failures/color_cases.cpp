@@ -62,6 +62,42 @@ double gaussian_color(double share_of_bricks, double exponent)
     return visible_color(map, share_of_bricks, deviation, exponent)[0];
 }
 
+/// A view of a map, and how far the tables may be off.
+struct TableView {
+    double angle, azimuth, bound;
+    std::string words; ///< where it comes from
+};
+
+double red_by_smith(const SetTexel& texel, const Vec3f& wo)
+{
+    return red_by_rank(texel, lambda_of(slopes_of(texel), wo));
+}
+
+/// What another model makes of a texel and a view.
+struct OtherModel {
+    std::string name;
+    double (*red)(const SetTexel& texel, const Vec3f& wo);
+};
+
+/// What the tables of a set's visibility say, beside another model.
+void add_tables(const std::string& what, const MemorySource& map, const OtherModel& other,
+                const std::vector<TableView>& views, Measured& all)
+{
+    BakedSet set = baked(map, table_options());
+    const SetTexel without_tables = baked(map, plain_options()).top();
+    const auto surface = displaced(map);
+    for (const TableView& view : views) {
+        const Vec3f wo = toward(view.angle, view.azimuth);
+        all.figures.push_back(Figure(what + ", tables of visibility: visible color at " +
+                                         degrees(view.angle) + view.words,
+                                     seen_of_map(surface, view.angle, view.azimuth).color[0])
+                                  .peer(other.name, other.red(without_tables, wo))
+                                  .ours(red_by_tables(set, set.top(), wo))
+                                  .bound(view.bound)
+                                  .aside());
+    }
+}
+
 Measured few_heights()
 {
     const std::vector<HeightColor> steps = steps_of(wall());
@@ -87,6 +123,8 @@ Measured few_heights()
     for (const auto& [exponent, bound] : {std::pair(1.0, 0.042), {0.3, 0.016}, {3.0, 0.15}})
         add("linear in height", exponent, red_by_height(top, exponent), bound, gaussian,
             gaussian_color(share, exponent));
+    add_tables("wall", wall(), {"rank table, Smith", red_by_smith},
+               {{60, 30, 0.006, ""}, {80, 30, 0.03, ""}}, all);
     add_words(all, flags_of("the wall", wall()));
     return all;
 }
@@ -241,6 +279,11 @@ Measured color_by_slope()
     add_colors("by the sign", two_sided,
                {{75, 0, 0.105}, {75, 180, 0.036}, {60, 0, 0.045}, {60, 180, 0.02}}, all);
     add_mapped(two_sided, {{75, 0, 0.02}, {75, 180, 0.004}}, all);
+    std::vector<TableView> views;
+    for (const auto& [angle, azimuth, bound] :
+         {View{75, 0, 0.018}, {75, 180, 0.008}, {60, 0, 0.038}, {60, 180, 0.019}})
+        views.push_back({angle, azimuth, bound, from(azimuth)});
+    add_tables("by the sign", two_sided, {"linear in slope", red_by_slope}, views, all);
     return all;
 }
 
@@ -255,10 +298,13 @@ std::vector<FailureCase> color_cases()
 averaged over Gaussian heights shows colors of heights that are not there. Where heights tie, the
 share at or below a height and the share below it differ, and so do the formulas that use one or the
 other. In Scree's rank table ties share their ranks. Its line over height (`colorheight`) takes the
-mean visible height of a bell curve, and overshoots the brightest color there is.)",
+mean visible height of a bell curve, and overshoots the brightest color there is. All three follow
+the definition, a point of rank q seen with probability q^Lambda; what the wall itself shows from
+some angle the tables of visibility tell (the last figures; two harmonics).)",
          R"(Use the rank table where heights have few values. R^2 in `scree info` does not tell: two heights
 and two colors lie on a line exactly, and it is the Gaussian visible height that is wrong.
-`--maps auto` does, since it compares what is seen.)",
+`--maps auto` does, since it compares what is seen. `--visibility tables` asks neither for ranks nor
+for Lambda.)",
          few_heights},
         {10, "Color that does not follow height",
          "The fractal of `scree sample`, 128x128, with a random red in every texel.",
@@ -276,7 +322,8 @@ and no model of color by height sees it. Scree bakes E[c s] (`colorslope`), whic
 colors in proportion to slope and the first order of any other.)",
          R"(Bake `colorslope` (it is baked unless `--maps` leaves it out) and turn it on in the shader. Where
 the color jumps at a slope, bake it as a color map (`--colormap FILE --map-by slope`): a line through
-a jump is off by a tenth at grazing views, the map by a fiftieth.)",
+a jump is off by a tenth at grazing views, the map by a fiftieth, tables of visibility with two
+harmonics (`--visibility tables --harmonics 2`), which need to know of no cause, by a thirtieth.)",
          color_by_slope},
     };
 }

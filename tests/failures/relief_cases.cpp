@@ -42,22 +42,27 @@ MemorySource cracked()
 
 struct View {
     std::string words;
-    double angle, azimuth, bound;
+    double angle, azimuth, bound, table_bound;
 };
 
 void add_colors(const std::string& what, const MemorySource& map, const std::vector<View>& views,
                 Measured& all)
 {
     const SetTexel top = baked(map, plain_options()).top();
+    BakedSet with_tables = baked(map, table_options());
     const auto surface = displaced(map);
     for (const View& view : views) {
-        const double lambda = lambda_of(slopes_of(top), toward(view.angle, view.azimuth));
-        all.figures.push_back(
-            Figure(what + view.words + ": visible color at " + degrees(view.angle),
-                   seen_of_map(surface, view.angle, view.azimuth).color[0])
-                .peer("mean color", mean_red(map))
-                .ours(red_by_rank(top, lambda))
-                .bound(view.bound));
+        const Vec3f wo = toward(view.angle, view.azimuth);
+        const double truth = seen_of_map(surface, view.angle, view.azimuth).color[0];
+        const std::string words = what + view.words + ": visible color at " + degrees(view.angle);
+        all.figures.push_back(Figure(words, truth)
+                                  .peer("mean color", mean_red(map))
+                                  .ours(red_by_rank(top, lambda_of(slopes_of(top), wo)))
+                                  .bound(view.bound));
+        all.figures.push_back(Figure(words + ", tables of visibility", truth)
+                                  .ours(red_by_tables(with_tables, with_tables.top(), wo))
+                                  .bound(view.table_bound)
+                                  .aside());
     }
     add_words(all, flags_of("the " + what, map));
 }
@@ -66,16 +71,18 @@ Measured correlated_heights()
 {
     Measured all;
     add_colors("groove", shaded_groove(),
-               {{" seen across", 80, 0, 0.13},
-                {" seen across", 60, 0, 0.022},
-                {" seen diagonally", 80, 45, 0.11},
-                {" seen along", 80, 90, 0.001}},
+               {{" seen across", 80, 0, 0.13, 0.03},
+                {" seen across", 60, 0, 0.022, 0.035},
+                {" seen diagonally", 80, 45, 0.11, 0.1},
+                {" seen along", 80, 90, 0.001, 0.008}},
                all);
-    add_colors("grain on hills", grain_on_hills(), {{"", 80, 0, 0.145}, {"", 60, 0, 0.013}}, all);
-    add_colors("cracks", cracked(), {{"", 80, 0, 0.022}}, all);
-    add_colors("bricks", scaled_to_slope(sample("bricks", 256), 0.3), {{"", 80, 0, 0.003}}, all);
+    add_colors("grain on hills", grain_on_hills(),
+               {{"", 80, 0, 0.145, 0.012}, {"", 60, 0, 0.013, 0.003}}, all);
+    add_colors("cracks", cracked(), {{"", 80, 0, 0.022, 0.002}}, all);
+    add_colors("bricks", scaled_to_slope(sample("bricks", 256), 0.3), {{"", 80, 0, 0.003, 0.006}},
+               all);
     add_colors("fractal", scaled_to_slope(sample("fractal", 256), 0.6),
-               {{"", 80, 0, 0.01}, {"", 60, 0, 0.03}}, all);
+               {{"", 80, 0, 0.01, 0.002}, {"", 60, 0, 0.03, 0.005}}, all);
     return all;
 }
 
@@ -167,10 +174,12 @@ its neighbours. In a groove height and slope are bound to each other, and more o
 hidden than he says. On the hills it is the grain that hides, and it hides on top of a hill as much
 as in a valley; Smith takes its steepness for that of the hills and hides valleys that anyone can
 see: there the plain mean color is nearer to the truth. How much is hidden in all is as right as in
-cases 7 and 8; which part of it is not.)",
-         R"(Compare with the reference: `scree validate`. Where the steep detail is small against the relief
-that carries the color, show the mean color. `--maps auto` does not see this: it takes Smith's
-masking for granted.)",
+cases 7 and 8; which part of it is not. Tables of visibility (here with two harmonics) know of no
+ranks: they hold what was seen of the heights themselves. What they leave of the groove is that two
+harmonics do not follow it round: it hides nothing along itself and much across.)",
+         R"(Where the reference says so (`scree validate`), bake tables: `--visibility tables`, with
+`--harmonics 2` for what has a direction. `--maps auto` finds out by itself, since it measures what
+views see of the heights: it takes the tables for hills, cracks, bricks and fractal.)",
          correlated_heights},
         {13, "Large relief, small footprints",
          R"(The fractal of `scree sample`, 256x256, scaled to an RMS slope of 0.6, seen from 75 degrees, 30

@@ -217,7 +217,9 @@ degrees on a Gaussian hides too little. Nor do they know a gentle side from a st
 numbers are what any Gaussian of the exact variance gives. maketx's Sobel kernel straddles ridge
 and bottom and loses an eighth of that variance.)",
          R"(`scree info` shows a kurtosis well below 8, that of a Gaussian: 2.7 for two slopes. Masking of
-such an asset is off by up to a fifth at grazing views. Where that shows, keep the grooves as
+such an asset is off by up to a fifth at grazing views, and tables of visibility do not help: they
+give colors, and the area that is seen, which over whole periods is the plane's in any case; it is
+the area facing the view, of Gaussian slopes, that is wrong. Where that shows, keep the grooves as
 geometry near the camera.)",
          few_slopes},
         {8, "Heavy tails",
