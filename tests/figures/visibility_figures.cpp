@@ -3,8 +3,8 @@
 //
 //   scree_visibility_figures [--nodes] [DATA_FOLDER] > figures.md
 //
-// Without a folder, on the built-in samples alone. With --nodes it compares numbers of nodes and
-// ways to interpolate between them instead.
+// Without a folder, on the built-in samples alone. With --nodes it compares numbers of nodes, pixel
+// types and ways to interpolate between nodes instead.
 
 #include <cstdio>
 #include <string>
@@ -21,10 +21,12 @@ namespace {
 std::vector<SurfaceFigures> measure_all(const std::string& data, Comparison comparison,
                                         const AllViews& views)
 {
+    const std::vector<double> slopes =
+        comparison == Comparison::models ? std::vector{0.1, 0.3, 0.6} : std::vector{0.3};
     std::vector<SurfaceFigures> all;
     for (const Asset& asset : visibility_surfaces(data)) {
         const double as_it_is = rms_slope(asset);
-        for (const double slope : {0.1, 0.3, 0.6})
+        for (const double slope : slopes)
             all.push_back(
                 measure(with_heights_scaled(asset, slope / as_it_is), slope, comparison, views));
     }

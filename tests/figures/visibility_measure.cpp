@@ -1,5 +1,7 @@
 #include "figures/visibility_measure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +16,7 @@ constexpr int kFootprintsOfSize = 16;
 constexpr uint64_t kSeed = 6;
 
 /// Samples along a side of a footprint: fewer where there are many footprints to average over.
-constexpr int kGrid16 = 24, kGrid64 = 40, kGrid256 = 80, kGridMap = 256;
+constexpr int kGrid16 = 24, kGrid64 = 32, kGrid256 = 64, kGridMap = 192;
 
 /// Footprints and their texels, of the sizes that are judged.
 struct Picked {
@@ -22,16 +24,21 @@ struct Picked {
     std::vector<SetTexel> texels;
 };
 
-std::vector<Picked> pick(SetReader& set)
+/// few  64x64 texels and the whole map
+std::vector<Picked> pick(SetReader& set, bool few)
 {
     const Manifest& manifest = set.manifest();
     const int last = reference::level_count(manifest.width, manifest.height) - 1;
     std::vector<Picked> sizes;
-    for (const auto& [name, level, grid] : {std::tuple{"16", 4, kGrid16},
-                                            {"64", 6, kGrid64},
-                                            {"256", 8, kGrid256},
-                                            {"map", last, kGridMap}})
-        if (level < last || std::string(name) == "map") {
+    struct Size {
+        const char* name;
+        int level, grid;
+        bool among_few;
+    };
+    for (const auto& [name, level, grid, among_few] :
+         {Size{"16", 4, kGrid16, false}, Size{"64", 6, kGrid64, true},
+          Size{"256", 8, kGrid256, false}, Size{"map", last, kGridMap, true}})
+        if ((level < last || name == std::string("map")) && (among_few || !few)) {
             Picked& of_size = sizes.emplace_back();
             of_size.footprints.name = name;
             of_size.footprints.grid = grid;
@@ -56,13 +63,22 @@ double rms(const std::array<double, 3>& color)
     return std::sqrt((color[0] * color[0] + color[1] * color[1] + color[2] * color[2]) / 3);
 }
 
-JudgedSet bake_and_read(const Asset& asset, std::vector<Map> maps, int nodes)
+/// What to bake.
+struct SetPlan {
+    std::vector<Map> maps;
+    int nodes = kDefaultNodes;
+    PixelTypeChoice type = PixelTypeChoice::automatic;
+    bool few_footprints = false;
+};
+
+JudgedSet bake_and_read(const Asset& asset, const SetPlan& plan)
 {
     const TempFolder folder;
     BakeOptions options = asset.options;
     options.output = folder.path() / "set";
-    options.maps = std::move(maps);
-    options.table = {best_node_angles(nodes), kMaxHarmonics, 8};
+    options.maps = plan.maps;
+    options.pixel_type = plan.type;
+    options.table = {best_node_angles(plan.nodes), kMaxHarmonics, 8};
     Manifest start;
     start.name = asset.name;
     AssetSource source(asset);
@@ -70,40 +86,46 @@ JudgedSet bake_and_read(const Asset& asset, std::vector<Map> maps, int nodes)
 
     SetReader reader(options.output);
     const Manifest& manifest = reader.manifest();
-    return {colors_of_views(manifest.visibility.value()), pick(reader),
+    return {colors_of_views(manifest.visibility.value()), pick(reader, plan.few_footprints),
             rms(manifest.levels.back().mean_color.value())};
 }
 
 std::vector<JudgedSet> sets_of_models(const Asset& asset)
 {
-    return {bake_and_read(asset,
-                          {Map::slope, Map::tail, Map::height, Map::color, Map::colorheight,
-                           Map::rank, Map::exponent, Map::visible},
-                          kDefaultNodes)};
+    return {bake_and_read(asset, {{Map::slope, Map::tail, Map::height, Map::color, Map::colorheight,
+                                   Map::rank, Map::exponent, Map::visible}})};
 }
 
-/// The mean color, tables of several numbers of nodes, and ways between four nodes.
+/// The mean color, tables of several numbers of nodes, of several pixel types, and ways between
+/// four nodes.
 std::vector<JudgedSet> sets_of_nodes(const Asset& asset)
 {
+    const std::vector<Map> maps = {Map::slope, Map::color, Map::visible};
     std::vector<JudgedSet> sets;
-    for (const int nodes : {2, 3, 4, 5, 6}) {
-        JudgedSet set = bake_and_read(asset, {Map::slope, Map::color, Map::visible}, nodes);
-        const ColorOfView mean = set.models.front(), table = set.models.back();
+    auto add = [&](const SetPlan& plan, const std::string& name) {
+        JudgedSet set = bake_and_read(asset, plan);
+        const ColorOfView mean = set.models.front();
+        ColorOfView table = set.models.back();
+        table.name = name;
         set.models = {table};
         if (sets.empty())
             set.models = {mean, table};
         sets.push_back(std::move(set));
-    }
+    };
+    add({maps, 4, PixelTypeChoice::float32, true}, "4 nodes");
+    add({maps, 4, PixelTypeChoice::half, true}, "4 nodes, half");
+    for (const int nodes : {2, 3, 5, 6})
+        add({maps, nodes, PixelTypeChoice::float32, true}, fmt::format("{} nodes", nodes));
     const VisibilityRecord four{best_node_angles(4), kMaxHarmonics, 8};
-    std::vector<ColorOfView>& of_four = sets[2].models;
+    std::vector<ColorOfView>& of_four = sets.front().models;
+    of_four.push_back(table_color_along(four, "4 nodes, by theta",
+                                        [](double cosine) { return std::acos(cosine); }));
     of_four.push_back(
-        table_color_along(four, "4, by theta", [](double cosine) { return std::acos(cosine); }));
-    of_four.push_back(
-        table_color_along(four, "4, by cos theta", [](double cosine) { return -cosine; }));
-    of_four.push_back(table_color_along(four, "4, by log cos theta",
+        table_color_along(four, "4 nodes, by cos theta", [](double cosine) { return -cosine; }));
+    of_four.push_back(table_color_along(four, "4 nodes, by log cos theta",
                                         [](double cosine) { return -std::log(cosine); }));
-    of_four.push_back(
-        table_color_along(four, "4, by 1 / cos theta", [](double cosine) { return 1 / cosine; }));
+    of_four.push_back(table_color_along(four, "4 nodes, by 1 / cos theta",
+                                        [](double cosine) { return 1 / cosine; }));
     return sets;
 }
 

@@ -27,7 +27,9 @@ struct SurfaceFigures {
 /// What to compare.
 enum class Comparison {
     models, ///< a set with all there is: colors_of_views()
-    nodes,  ///< tables of 2 to 6 nodes, and of 4 in other coordinates, all of 2 harmonics
+    /// Tables of 2 to 6 nodes, and of 4 as half floats and in other coordinates, all of 2
+    /// harmonics; only footprints of 64x64 texels and the map.
+    nodes,
 };
 
 /// Bakes the asset, reads footprints of 16x16, 64x64, 256x256 texels and the whole map, and holds
