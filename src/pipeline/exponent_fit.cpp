@@ -10,7 +10,7 @@ namespace scree {
 namespace {
 
 constexpr double kLowest = -16, kHighest = 20; // log2 of Lambda
-constexpr int kAnOctave = 2;
+constexpr int kAnOctave = 16;
 constexpr int kBins = static_cast<int>(kHighest - kLowest) * kAnOctave + 1;
 
 double lambda_of(int bin) { return std::exp2(kLowest + static_cast<double>(bin) / kAnOctave); }
@@ -57,20 +57,21 @@ void ExponentBins::add(const ExponentBins& other)
         }
 }
 
-double ExponentBins::squares(int elevation, const ExponentFit& fit) const
+std::vector<double> ExponentBins::squares(const ExponentFit& fit) const
 {
-    double sum = 0;
-    const auto& bins = bins_[static_cast<size_t>(elevation)];
-    for (int i = 0; i < kBins; ++i) {
-        const Bin& bin = bins[static_cast<size_t>(i)];
-        if (!(bin.weight > 0))
-            continue;
-        const double exponent =
-            kernel::scree_measured_exponent(lambda_of(i), fit.gain, fit.power, fit.threshold);
+    std::vector<double> sums(bins_.size());
+    for (size_t i = 0; i < kBins; ++i) {
+        const double exponent = kernel::scree_measured_exponent(lambda_of(static_cast<int>(i)),
+                                                                fit.gain, fit.power, fit.threshold);
         const double mean = filter::visible_height(exponent).mean;
-        sum += bin.truth + mean * (mean * bin.shift - 2 * bin.product);
+        for (size_t e = 0; e < bins_.size(); ++e) {
+            const Bin& bin = bins_[e][i];
+            sums[e] += bin.truth + mean * (mean * bin.shift - 2 * bin.product);
+        }
     }
-    return std::max(sum, 0.0);
+    for (double& sum : sums)
+        sum = std::max(sum, 0.0); // rounding
+    return sums;
 }
 
 double ExponentBins::squares_of_mean(int elevation) const
@@ -104,10 +105,14 @@ public:
                 for (double gain = 0.0625; gain <= 8; gain *= std::sqrt(2.0))
                     take({gain, power, threshold}, best, least);
         for (double step = 0.25; step > 0.002; step /= 2)
-            for (const double way : {step, -step}) {
-                take({best.gain * (1 + way), best.power, best.threshold}, best, least);
-                take({best.gain, best.power * (1 + way), best.threshold}, best, least);
-                take({best.gain, best.power, best.threshold + 0.1 * way}, best, least);
+            for (bool better = true; better;) {
+                const double before = least;
+                for (const double way : {step, -step}) {
+                    take({best.gain * (1 + way), best.power, best.threshold}, best, least);
+                    take({best.gain, best.power * (1 + way), best.threshold}, best, least);
+                    take({best.gain, best.power, best.threshold + 0.1 * way}, best, least);
+                }
+                better = least < before * (1 - 1e-3);
             }
         return best;
     }
@@ -129,11 +134,11 @@ private:
     [[nodiscard]] double cost(const ExponentFit& fit) const
     {
         double sum = 0;
+        const std::vector<double> squares = bins_.squares(fit);
         for (int e = 0; e < bins_.elevations(); ++e) {
-            const double squares = bins_.squares(e, fit);
+            const double own = squares[static_cast<size_t>(e)];
             const double slack = 3 * bins_.weight(e) * (0.002 * color_) * (0.002 * color_);
-            sum += squares;
-            sum += 1000 * std::max(squares - bins_.squares_of_mean(e) - slack, 0.0);
+            sum += own + 1000 * std::max(own - bins_.squares_of_mean(e) - slack, 0.0);
         }
         return sum;
     }

@@ -13,7 +13,7 @@ namespace scree {
 /// The model is c + mu(L) k, mu that of scree_visible_height, k = cov(c, hn) / sigma of R, G, B.
 /// Where t is the true color less c, its squared error is t.t - 2 mu t.k + mu^2 k.k, so three sums
 /// a bin tell the error of every exponent that is a function of Lambda. A sample is shared between
-/// the two bins about its Lambda, half octaves from 2^-16 to 2^20.
+/// the two bins about its Lambda, sixteenths of an octave from 2^-16 to 2^20.
 class ExponentBins {
 public:
     explicit ExponentBins(int elevations);
@@ -23,8 +23,8 @@ public:
              const std::array<double, 3>& truth, double weight);
     void add(const ExponentBins& other);
 
-    /// Weighted sum of squared errors of R, G, B at an elevation.
-    [[nodiscard]] double squares(int elevation, const ExponentFit& fit) const;
+    /// Weighted sums of squared errors of R, G, B, an elevation each.
+    [[nodiscard]] std::vector<double> squares(const ExponentFit& fit) const;
     /// The same without any shift.
     [[nodiscard]] double squares_of_mean(int elevation) const;
     [[nodiscard]] double weight(int elevation) const;

@@ -8,7 +8,7 @@ namespace scree {
 MeasuredViews::MeasuredViews(double max_view_angle_deg)
 {
     constexpr double kRadian = 0.017453292519943295769;
-    constexpr double kLeastAngle = 0.1; // degrees; straight above a sweep has no direction
+    constexpr double kLeastAngle = 0.01; // degrees; straight above a sweep has no direction
     for (const double share : {0.4, 0.65, 0.8, 0.9, 0.96, 1.0})
         elevations_deg.push_back(std::max(share * max_view_angle_deg, kLeastAngle));
     for (size_t e = 0; e < elevations_deg.size(); ++e)

@@ -339,10 +339,7 @@ double ModelErrors::largest_error(const Sums& sums, size_t model,
 {
     if (models_[model].record.model != "exponent")
         return largest_rms(sums.models[model], sums.seen) / color_size();
-    Squares squares;
-    for (int e = 0; e < sums.exponent->elevations(); ++e)
-        squares.push_back(sums.exponent->squares(e, *fit));
-    return largest_rms(squares, sums.seen) / color_size();
+    return largest_rms(sums.exponent->squares(*fit), sums.seen) / color_size();
 }
 
 MeasuredModels ModelErrors::measured() const

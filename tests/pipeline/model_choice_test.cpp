@@ -49,6 +49,16 @@ double error_of(const Manifest& manifest, const std::string& model)
     return -1;
 }
 
+/// Of the whole map.
+double last_error_of(const Manifest& manifest, const std::string& model)
+{
+    for (const LevelError& error : manifest.levels.back().model_errors)
+        if (error.model == model)
+            return error.error;
+    ADD_FAILURE() << model << " was not judged";
+    return -1;
+}
+
 std::string chosen_of(const Manifest& manifest)
 {
     std::string chosen;
@@ -57,6 +67,8 @@ std::string chosen_of(const Manifest& manifest)
             chosen += record.model;
     return chosen;
 }
+
+constexpr double kPi = 3.14159265358979323846;
 
 /// Gaussian noise of slopes about `steepness`; a color a height.
 template <class Color>
@@ -94,14 +106,14 @@ TEST(ModelChoice, FromAboveNothingIsHidden)
     const Manifest m =
         bake_auto(surface(0.3, [](double h) { return h > 0 ? 1 : 0.1; }), temp / "set", options);
     EXPECT_EQ(chosen_of(m), "mean color");
-    EXPECT_LT(error_of(m, "mean color"), 1e-6); // atoms' colors are floats
+    EXPECT_LT(error_of(m, "mean color"), 1e-5); // a sweep looks from a hundredth of a degree
     EXPECT_EQ(maps_of(m).count(Map::colorslope), 0U);
 }
 
 TEST(ModelChoice, TheCheapestWithinTheToleranceIsKeptAndTheRestDropped)
 {
     auto snow = [](double h) { return h > 0 ? 1 : 0.1; };
-    std::string last;
+    std::set<std::string> chosen;
     for (const double tolerance : {1.0, 0.1, 0.025, 1e-3}) {
         TempFolder temp;
         BakeOptions options;
@@ -135,21 +147,21 @@ TEST(ModelChoice, TheCheapestWithinTheToleranceIsKeptAndTheRestDropped)
                       texture.channels.size())
                 << texture.file;
         EXPECT_TRUE(m.levels.back().color_fit->rank4) << "the report knows of what was dropped";
-        EXPECT_NE(chosen_of(m), last) << tolerance;
-        last = chosen_of(m);
+        chosen.insert(chosen_of(m));
     }
+    EXPECT_GE(chosen.size(), 2U) << "the tolerance decides";
 }
 
-/// Oracle for the errors of the mean color and of a color map: a checkerboard of two heights, whose
-/// footprints are the same from 2x2 on, seen by the reference from the views that are measured.
-TEST(ModelChoice, ErrorsAreWhatTheModelsDoNotShowOfACheckerboard)
+/// Oracle for the errors of the mean color and of a color map: hills, seen by the reference from
+/// the views that are measured.
+TEST(ModelChoice, ErrorsAreWhatTheModelsDoNotShowOfHills)
 {
     TempFolder temp;
     MemorySource source;
     source.map_width = source.map_height = 64;
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
-            source.heights.push_back((x + y) % 2 == 0 ? 0.4 : 0);
+            source.heights.push_back(1.5 + 1.5 * std::cos(x * kPi / 8) * std::cos(y * kPi / 8));
     BakeOptions options;
     options.max_view_angle_deg = 80;
     options.map_tolerance = 1e-4;
@@ -171,7 +183,7 @@ TEST(ModelChoice, ErrorsAreWhatTheModelsDoNotShowOfACheckerboard)
 
     reference::Relief relief = source.statistics_input().relief;
     for (const double h : source.heights)
-        relief.colors.push_back({0.2 + 1.5 * h, 0, 0});
+        relief.colors.push_back({0.2 + 0.2 * h, 0, 0});
     const reference::DisplacedSurface surface(relief);
     const MeasuredViews views(options.max_view_angle_deg);
     reference::GatherPlan plan;
@@ -187,13 +199,13 @@ TEST(ModelChoice, ErrorsAreWhatTheModelsDoNotShowOfACheckerboard)
         const double truth = seen[i].color[0];
         const double lambda =
             filter::masking(filter::Vec3<double>(view.x, view.y, view.z), slopes).lambda;
-        // Heights are -1 and 1, normalised; the ramp is 0.5 + 0.3 h between, constant beyond. Its
-        // mean over a normal law, with overshoot(c) = E[max(0, X - c)].
+        // Heights are of mean 1.5 and deviation 0.75; normalised, the ramp is 0.5 + 0.15 h from -2
+        // to 2, constant beyond. Its mean over a normal law, with overshoot(c) = E[max(0, X - c)].
         const auto visible = filter::visible_height(lambda);
         const double s = std::sqrt(visible.variance);
         auto overshoot = [s](double c) { return s * normal_pdf(c / s) - c * normal_cdf(-c / s); };
         const double mapped =
-            0.5 + 0.3 * (visible.mean - overshoot(1 - visible.mean) + overshoot(1 + visible.mean));
+            0.5 + 0.15 * (visible.mean - overshoot(2 - visible.mean) + overshoot(2 + visible.mean));
         const auto e = static_cast<size_t>(view.elevation);
         without[e] += (truth - 0.5) * (truth - 0.5) / 4;
         by_map[e] += (mapped - truth) * (mapped - truth) / 4;
@@ -202,8 +214,8 @@ TEST(ModelChoice, ErrorsAreWhatTheModelsDoNotShowOfACheckerboard)
     const double of_map = std::sqrt(*std::max_element(by_map.begin(), by_map.end())) / 0.5;
     EXPECT_GT(of_mean, 0.02);
     // 160000 rays a view: a share of 0.5 is known to 0.00125; sweeps follow 2 lines a texel.
-    EXPECT_NEAR(error_of(m, "mean color"), of_mean, 0.01);
-    EXPECT_NEAR(error_of(m, "map"), of_map, 0.01);
+    EXPECT_NEAR(last_error_of(m, "mean color"), of_mean, 0.004);
+    EXPECT_NEAR(last_error_of(m, "map"), of_map, 0.004);
 }
 
 TEST(ModelChoice, TailGoesWhereSlopesAreGaussianAndStaysWhereTheyAreNot)

@@ -79,7 +79,8 @@ TEST(Channels, UsersNameTheMapsTheyMayChooseAndNoOther)
 {
     EXPECT_EQ(map_named("slope"), Map::slope);
     EXPECT_EQ(map_named("colorslope"), Map::colorslope);
-    EXPECT_EQ(map_names(), "slope,height,color,colorheight,colorslope,rank,map,tail");
+    EXPECT_EQ(map_names(),
+              "slope,height,color,colorheight,exponent,colorslope,rank,visible,map,tail");
     for (const char* name : {"bumpslopes", "coverage", "normals", ""})
         try {
             map_named(name);
