@@ -104,6 +104,12 @@ void add_options(CLI::App& command, ValidateWords& words)
                      "rms error of its covariance over the square of that [not judged]")
         ->check(number_above_zero());
 
+    limits
+        ->add_option("--tables-tolerance", tolerances.tables,
+                     "rms error of the tables of visibility, area and color, of the worst node "
+                     "[not judged]")
+        ->check(number_above_zero());
+
     auto* running = command.add_option_group("Running");
     running->add_option("--threads", words.threads, "number of threads [all]")
         ->check(whole_number_from(0));
@@ -125,6 +131,11 @@ void print(const Validation& validation, const Manifest& manifest)
         fmt::print("reference: {} samples, {} rays in {:.1f} s, {:.2f} million samples a second\n",
                    views.samples, views.rays, views.seconds,
                    static_cast<double>(views.samples) / views.seconds / 1e6);
+    }
+    if (validation.tables) {
+        report::Table nodes = node_table(*validation.tables);
+        nodes.rows.resize(validation.tables->all.size()); // the page has every level
+        fmt::print("{}\n", to_text(nodes));
     }
     if (!validation.without_views.empty())
         fmt::print("what views see was not compared: {}\n", validation.without_views);

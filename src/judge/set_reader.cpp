@@ -126,7 +126,7 @@ SetReader::SetReader(const std::filesystem::path& set)
         colors_.azimuth_s = static_cast<float>(std::cos(azimuth));
         colors_.azimuth_t = static_cast<float>(std::sin(azimuth));
     }
-    if (has(Map::visible))
+    if (has(Map::visible) && has_color_) // tables tell differences from the mean color
         colors_.models.push_back(ColorModel::visible);
 }
 

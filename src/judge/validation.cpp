@@ -25,7 +25,8 @@ bool has(const Manifest& manifest, Map map)
 }
 
 /// What is left of an error without the reference's own noise; a NaN stays one.
-double own_error(const ViewError& error)
+template <class Error>
+double own_error(const Error& error)
 {
     const double square = error.set * error.set - error.noise * error.noise;
     return square < 0 ? 0 : std::sqrt(square);
@@ -54,6 +55,21 @@ void judge(const ViewCheck& check, const Tolerances& tolerances, std::vector<std
           exceeded);
 }
 
+void judge(const NodeCheck& check, const std::optional<double>& tolerance,
+           std::vector<std::string>& exceeded)
+{
+    if (!tolerance)
+        return;
+    for (const NodeErrors& errors : check.all)
+        for (const auto& [name, error] : {std::pair("area", own_error(errors.area)),
+                                          std::pair("color", own_error(errors.color))})
+            if (!(error <= *tolerance && errors.footprints > 0)) // or a NaN
+                exceeded.push_back(
+                    fmt::format("{} of the tables of visibility at {:g} degrees: rms error {:.4f}, "
+                                "tolerance {:g}",
+                                name, errors.angle_deg, error, *tolerance));
+}
+
 void judge(const std::vector<StatisticsFigure>& figures, double scale,
            std::vector<std::string>& exceeded)
 {
@@ -71,8 +87,10 @@ std::function<void(double)> told(const BakeMonitor& monitor, const char* phase)
 
 /// Where a plain MIP chain is nearer to the truth than the set, which nobody would expect: how
 /// often, and the worst. Beyond noise, and beyond a hundredth that nobody sees.
+///
+/// cause  in words
 void flag_worse_than_plain(const ViewCheck& check, const char* name, ViewError ViewErrors::*figure,
-                           std::vector<std::string>& flags)
+                           const char* cause, std::vector<std::string>& flags)
 {
     constexpr double kSeen = 0.01;
     int compared = 0, worse = 0;
@@ -92,11 +110,9 @@ void flag_worse_than_plain(const ViewCheck& check, const char* name, ViewError V
     if (worst != nullptr)
         flags.push_back(fmt::format(
             "{}: a plain MIP chain is nearer to the reference than the set at {} of {} levels and "
-            "angles, most at level {} from {:g} degrees: error {:.2f}, plain {:.2f}; Smith's "
-            "masking "
-            "does not fit this asset there",
+            "angles, most at level {} from {:g} degrees: error {:.2f}, plain {:.2f}; {}",
             name, worse, compared, worst->level, worst->angle_deg, (worst->*figure).set,
-            (worst->*figure).plain));
+            (worst->*figure).plain, cause));
 }
 
 /// What was found until then, if views cannot be compared.
@@ -113,7 +129,7 @@ Validation without_views(const std::string& why, const ValidationPlan& plan, Val
 bool has_tolerance_of_views(const Tolerances& tolerances)
 {
     return tolerances.color || tolerances.radiance || tolerances.masking || tolerances.slope ||
-           tolerances.covariance;
+           tolerances.covariance || tolerances.tables;
 }
 
 Validation validate(SetReader& set, Original original, const BakeOptions& options,
@@ -140,8 +156,21 @@ Validation validate(SetReader& set, Original original, const BakeOptions& option
         return without_views(too_high, plan, std::move(found));
     found.views = check_views(set, surface, plan.view, told(monitor, "compare what views see"));
     judge(*found.views, plan.tolerances, found.exceeded);
-    flag_worse_than_plain(*found.views, "radiance", &ViewErrors::radiance, found.flags);
-    flag_worse_than_plain(*found.views, "visible color", &ViewErrors::color, found.flags);
+    if (has_tables(set)) {
+        found.tables =
+            check_nodes(set, surface, plan.view, told(monitor, "compare tables of visibility"));
+        judge(*found.tables, plan.tolerances.tables, found.exceeded);
+    } else if (plan.tolerances.tables) {
+        found.exceeded.push_back("tables of visibility, which have a tolerance, are not in the "
+                                 "set");
+    }
+    const char* smith = "Smith's masking does not fit this asset there";
+    flag_worse_than_plain(*found.views, "radiance", &ViewErrors::radiance, smith, found.flags);
+    flag_worse_than_plain(*found.views, "visible color", &ViewErrors::color,
+                          has_tables(set) ? "its tables of visibility have too few nodes or "
+                                            "harmonics for what is seen there"
+                                          : smith,
+                          found.flags);
     if (plan.images)
         for (const double angle : kDrawnAngles)
             found.images.push_back(draw_texels(set, surface, level_to_draw(manifest, kPictureSide),

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/node_check.h"
 #include "judge/original.h"
 #include "judge/set_reader.h"
 #include "judge/statistics_check.h"
@@ -19,6 +20,8 @@ namespace scree {
 struct Tolerances {
     double statistics = 1;
     std::optional<double> color, radiance, masking, slope, covariance;
+    /// Of NodeErrors, area and color, likewise: over all levels, of the worst node.
+    std::optional<double> tables;
 };
 
 /// Whether any but the statistics has one.
@@ -35,8 +38,9 @@ struct ValidationPlan {
 /// What came of it.
 struct Validation {
     std::vector<StatisticsFigure> statistics;
-    std::optional<ViewCheck> views; ///< absent: not asked for, or not possible
-    std::string without_views;      ///< why it was not possible; empty: it was
+    std::optional<ViewCheck> views;  ///< absent: not asked for, or not possible
+    std::optional<NodeCheck> tables; ///< absent like `views`, and where the set has none
+    std::string without_views;       ///< why it was not possible; empty: it was
     std::vector<TexelImages> images;
     std::vector<std::string> flags;    ///< what about the asset no model shows well
     std::vector<std::string> exceeded; ///< tolerances; empty: the set is valid

@@ -51,6 +51,31 @@ Json json_of(const ViewCheck& check, const ViewPlan& plan)
     return json;
 }
 
+Json json_of(const NodeErrors& errors)
+{
+    const auto part = [](const NodeError& error) {
+        return Json{{"set", error.set}, {"noise", error.noise}};
+    };
+    return {{"level", errors.level < 0 ? Json("all") : Json(errors.level)},
+            {"angle_deg", errors.angle_deg},
+            {"footprints", errors.footprints},
+            {"area", part(errors.area)},
+            {"color", part(errors.color)}};
+}
+
+Json json_of(const NodeCheck& check)
+{
+    Json json;
+    json["samples"] = check.samples;
+    json["rays"] = check.rays;
+    json["seconds"] = check.seconds;
+    for (const NodeErrors& errors : check.all)
+        json["all_levels"].push_back(json_of(errors));
+    for (const NodeErrors& errors : check.levels)
+        json["levels"].push_back(json_of(errors));
+    return json;
+}
+
 Json json_of(const StatisticsFigure& figure)
 {
     return {{"texture", map_info(figure.map).name},
@@ -78,6 +103,8 @@ std::string to_json(const Validation& validation, const ValidationPlan& plan,
         json["statistics"].push_back(json_of(figure));
     if (validation.views)
         json["views"] = json_of(*validation.views, plan.view);
+    if (validation.tables)
+        json["tables"] = json_of(*validation.tables);
     if (!validation.without_views.empty())
         json["views_not_compared"] = validation.without_views;
     return json.dump(2) + "\n";

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "judge/statistics_report.h"
 #include "judge/view_report.h"
 #include "report/page.h"
@@ -55,6 +57,21 @@ void add_views(const ViewCheck& check, const ViewPlan& plan, report::Page& page)
                                static_cast<double>(check.samples) / check.seconds / 1e6));
 }
 
+void add_tables(const NodeCheck& check, const ViewPlan& plan, report::Page& page)
+{
+    page.heading("Tables of visibility");
+    page.paragraph(fmt::format(
+        "What NAME.visible.exr holds at its nodes, the means over the azimuth, against the same "
+        "azimuths of the reference: up to {} footprints of each level, {} samples a footprint. "
+        "Area "
+        "is E[V W] / cos theta - 1, color E[c V W] / cos theta - E[c] over the rms of the map's "
+        "mean color. \"noise\" is the reference's own.",
+        std::min(plan.footprints, kMostNodeFootprints), plan.grid * plan.grid));
+    page.add(node_table(check));
+    page.paragraph(
+        fmt::format("{} samples, {} rays, in {:.1f} s.", check.samples, check.rays, check.seconds));
+}
+
 void add_images(const TexelImages& images, report::Page& page)
 {
     page.heading(fmt::format("Level {} seen at {:g} degrees", images.level, images.angle_deg));
@@ -86,6 +103,8 @@ std::string to_page(const Validation& validation, const ValidationPlan& plan,
         page.paragraph("What views see was not compared: " + validation.without_views + ".");
     if (validation.views)
         add_views(*validation.views, plan.view, page);
+    if (validation.tables)
+        add_tables(*validation.tables, plan.view, page);
     for (const TexelImages& images : validation.images)
         add_images(images, page);
     return page.to_html();

@@ -99,6 +99,22 @@ report::Table model_table(const ViewCheck& check)
     return table;
 }
 
+report::Table node_table(const NodeCheck& check)
+{
+    report::Table table;
+    table.title = "Tables of visibility, means over the azimuth: rms errors of the area seen over "
+                  "the plane's, and of color by it over the map's mean color";
+    table.headings = {"node deg", "level", "area", "noise", "color", "noise", "footprints"};
+    for (const auto* all : {&check.all, &check.levels})
+        for (const NodeErrors& errors : *all)
+            table.rows.push_back({fmt::format("{:g}", errors.angle_deg),
+                                  errors.level < 0 ? "all" : fmt::format("{}", errors.level),
+                                  number(errors.area.set), number(errors.area.noise),
+                                  number(errors.color.set), number(errors.color.noise),
+                                  fmt::format("{}", errors.footprints)});
+    return table;
+}
+
 report::Table level_table(const ViewCheck& check, double ViewError::*part)
 {
     report::Table table;

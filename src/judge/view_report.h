@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "judge/node_check.h"
 #include "judge/view_check.h"
 #include "report/chart.h"
 #include "report/table.h"
@@ -16,6 +17,9 @@ report::Table slope_table(const ViewCheck& check);
 
 /// The visible color's error by every model that the set has; no rows where it has but the mean.
 report::Table model_table(const ViewCheck& check);
+
+/// Errors of the tables of visibility, node by node: all levels together, then each.
+report::Table node_table(const NodeCheck& check);
 
 /// Error of the radiance level by level, a column an angle: the set's, or a plain MIP chain's.
 report::Table level_table(const ViewCheck& check, double ViewError::*part);
