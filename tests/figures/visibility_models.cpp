@@ -24,15 +24,10 @@ float smith_exponent(const SetTexel& texel, const Vec3f& w)
     return filter::masking(w, slopes_of(texel)).lambda;
 }
 
-float fitted_exponent(const SetTexel& texel, const Vec3f& w)
+float measured_exponent(const SetTexel& texel, const Vec3f& w)
 {
-    const filter::SlopeMoments<float>& raw = texel.slope;
-    filter::Slopes<float> about_plane;
-    about_plane.covariance = {raw.ss, raw.st, raw.tt};
-    about_plane.tau = texel.tau;
     const auto [gain, power, threshold] = texel.exponent;
-    const float above = filter::masking(w, about_plane).lambda - threshold;
-    return above > 0 ? gain * std::pow(above, power) : 0;
+    return filter::measured_exponent(w, texel.slope, texel.tau, {gain, power, threshold});
 }
 
 Rgbf by_height(const SetTexel& texel, float exponent)
@@ -132,7 +127,7 @@ std::vector<ColorOfView> colors_of_views(const VisibilityRecord& record)
         {"Smith, rank", [](const SetTexel& texel,
                            const Vec3f& w) { return by_rank(texel, smith_exponent(texel, w)); }},
         {"corrected", [](const SetTexel& texel,
-                         const Vec3f& w) { return by_height(texel, fitted_exponent(texel, w)); }},
+                         const Vec3f& w) { return by_height(texel, measured_exponent(texel, w)); }},
     };
     for (int harmonics = 0; harmonics <= record.harmonics; ++harmonics)
         all.push_back(table_color(record, harmonics));
