@@ -18,9 +18,9 @@ struct FootprintData {
     Vec3f normal{0, 0, 1};
     /// Parts of set.visible (kChartNodes, two harmonics), each as a file of its own would hold it:
     /// two nodes, the second and the last, and all of them, without harmonics; all with one.
-    std::array<float, 2 * 4> visible_2x1{};
-    std::array<float, 4 * 4> visible_4x1{};
-    std::array<float, 4 * 3 * 4> visible_4x3{};
+    std::array<float, 8> visible_2x1{};
+    std::array<float, 16> visible_4x1{};
+    std::array<float, 48> visible_4x3{};
 };
 
 /// Of the tables of visibility, degrees from the normal.

@@ -47,7 +47,7 @@ Moments true_moments(const reference::Gathered& seen, const std::vector<Vec3>& v
 
 Moments stored_moments(const SetTexel& texel, const VisibilityRecord& table, size_t node)
 {
-    const auto terms = static_cast<size_t>(1 + 2 * table.harmonics);
+    const size_t terms = 1 + 2 * static_cast<size_t>(table.harmonics);
     const float* a = texel.visible.data() + 4 * terms * node; // A B G R
     return {static_cast<double>(a[0]), static_cast<double>(a[3]), static_cast<double>(a[2]),
             static_cast<double>(a[1])};
