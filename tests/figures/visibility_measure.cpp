@@ -16,7 +16,7 @@ constexpr int kFootprintsOfSize = 16;
 constexpr uint64_t kSeed = 6;
 
 /// Samples along a side of a footprint: fewer where there are many footprints to average over.
-constexpr int kGrid16 = 24, kGrid64 = 32, kGrid256 = 64, kGridMap = 192;
+constexpr int kGrid16 = 32, kGrid64 = 56, kGrid256 = 72, kGridMap = 224;
 
 /// Footprints and their texels, of the sizes that are judged.
 struct Picked {

@@ -27,7 +27,31 @@ SquaresOfAngles mean_squares(const SeenOfSize& seen, const AllViews& views,
     return squares;
 }
 
+reference::Rgb mean_color_of(const reference::Relief& relief, const reference::Footprint& place)
+{
+    reference::Rgb sum{};
+    for (size_t j = 0; j < place.t.share.size(); ++j)
+        for (size_t i = 0; i < place.s.share.size(); ++i) {
+            const size_t row = static_cast<size_t>(place.t.first) + j;
+            const size_t column = static_cast<size_t>(place.s.first) + i;
+            const reference::Rgb& color =
+                relief.colors[row * static_cast<size_t>(relief.width) + column];
+            for (size_t c = 0; c < 3; ++c)
+                sum[c] += place.t.share[j] * place.s.share[i] * color[c];
+        }
+    return sum;
+}
+
 } // namespace
+
+reference::Rgb SeenOfSize::color(size_t footprint, const reference::Gathered& of_samples,
+                                 size_t view) const
+{
+    reference::Rgb color = of_samples.seen[view].color;
+    for (size_t c = 0; c < 3; ++c) // views begin with one from straight above
+        color[c] += mean_color[footprint][c] - of_samples.seen.front().color[c];
+    return color;
+}
 
 AllViews::AllViews() : angles_deg{0, 30, 45, 60, 70, 75, 80, 83, 85, 87}
 {
@@ -47,7 +71,10 @@ SeenOfSize see(const reference::DisplacedSurface& surface, const FootprintsOfSiz
     reference::GatherPlan plan;
     plan.views = views.views;
     plan.grid = footprints.grid;
-    return {footprints.name, reference::gather_all(surface, footprints.places, plan)};
+    SeenOfSize seen{footprints.name, reference::gather_all(surface, footprints.places, plan), {}};
+    for (const reference::Footprint& place : footprints.places)
+        seen.mean_color.push_back(mean_color_of(surface.relief(), place));
+    return seen;
 }
 
 SquaresOfAngles squares_of(const ColorOfView& model, const std::vector<SetTexel>& texels,
@@ -56,7 +83,7 @@ SquaresOfAngles squares_of(const ColorOfView& model, const std::vector<SetTexel>
     return mean_squares(seen, views, [&](size_t i, size_t view) {
         const Vec3& w = views.views[view];
         const Rgbf shown = model.color(texels[i], Vec3f(w));
-        const reference::Rgb& truth = seen.truth[i].all.seen[view].color;
+        const reference::Rgb truth = seen.color(i, seen.truth[i].all, view);
         double sum = 0;
         for (size_t c = 0; c < 3; ++c)
             sum += square((static_cast<double>(shown[c]) - truth[c]) / mean_color);
@@ -67,11 +94,11 @@ SquaresOfAngles squares_of(const ColorOfView& model, const std::vector<SetTexel>
 SquaresOfAngles squares_of_noise(const SeenOfSize& seen, const AllViews& views, double mean_color)
 {
     return mean_squares(seen, views, [&](size_t i, size_t view) {
-        const auto& halves = seen.truth[i].halves;
+        const reference::Rgb one = seen.color(i, seen.truth[i].halves[0], view);
+        const reference::Rgb other = seen.color(i, seen.truth[i].halves[1], view);
         double sum = 0;
         for (size_t c = 0; c < 3; ++c)
-            sum += square((halves[0].seen[view].color[c] - halves[1].seen[view].color[c]) / 2 /
-                          mean_color);
+            sum += square((one[c] - other[c]) / 2 / mean_color);
         return sum;
     });
 }

@@ -30,6 +30,12 @@ struct FootprintsOfSize {
 struct SeenOfSize {
     std::string name;
     std::vector<reference::Estimate> truth; ///< one a footprint
+    std::vector<reference::Rgb> mean_color; ///< of its texels, exact
+
+    /// The color of a view. What the samples miss of the mean color, which they show from straight
+    /// above, they miss of other views too: it is made good, which leaves less noise.
+    [[nodiscard]] reference::Rgb color(size_t footprint, const reference::Gathered& of_samples,
+                                       size_t view) const;
 };
 
 SeenOfSize see(const reference::DisplacedSurface& surface, const FootprintsOfSize& footprints,
