@@ -199,8 +199,8 @@ color scree_slope_color(string folder, string name, float s, float t, float heig
     return result;
 }
 
-// beta of NAME.visible.exr, E[c (v - 1)], and a = v - 1, of a direction w in the frame of the set: to
-// the viewer or to a light. The file's channels follow each other as A B G R of the first node's
+// beta of NAME.visible.exr, E[c (v - 1)], and a = v - 1, of a direction w in the frame of the set:
+// to the viewer or to a light. The file's channels follow each other as A B G R of the first node's
 // mean over the azimuth, of its harmonics c1 [c2] s1 [s2], of the second node, and so on.
 color scree_visibility(string folder, string name, float s, float t, vector w, output float a)
 {
@@ -307,8 +307,8 @@ color scree_visible_color(string folder, string name, float s, float t, float he
         result = scree_linear_color(folder, name, s, t, c, exponent);
     }
     if (color_model == 4 && dot(light, light) > 0)
-        result = scree_table_color_lit(
-            c, result, scree_table_color(folder, name, s, t, light, c), w, light);
+        result = scree_table_color_lit(c, result, scree_table_color(folder, name, s, t, light, c),
+                                       w, light);
     if (add_slope)
         result = max(color(0),
                      result - c + scree_slope_color(folder, name, s, t, height_scale, w, f, c));
