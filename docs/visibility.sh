@@ -33,4 +33,5 @@ columns() { # NAME EXPOSURE BAKE_OPTIONS...: NAME.png
 }
 columns bricks 3 "${bricks[@]}"
 columns rock 4 "${rock[@]}"
-oiiotool "$work/bricks.png" "$work/rock.png" --mosaic:pad=8 2x1 -o visibility.png
+oiiotool "$work/bricks.png" "$work/rock.png" --mosaic:pad=8 2x1 \
+    --nosoftwareattrib --eraseattrib Exif:ImageHistory -o visibility.png
