@@ -9,11 +9,11 @@ namespace scree {
 
 namespace {
 
-constexpr double kLowest = -16, kHighest = 20; // log2 of Lambda
+constexpr int kLowest = -16, kHighest = 20; // log2 of Lambda
 constexpr int kAnOctave = 16;
-constexpr int kBins = static_cast<int>(kHighest - kLowest) * kAnOctave + 1;
+constexpr size_t kBins = (kHighest - kLowest) * kAnOctave + 1;
 
-double lambda_of(int bin) { return std::exp2(kLowest + static_cast<double>(bin) / kAnOctave); }
+double lambda_of(size_t bin) { return std::exp2(kLowest + static_cast<double>(bin) / kAnOctave); }
 
 } // namespace
 
@@ -25,17 +25,17 @@ void ExponentBins::add(int elevation, double lambda, const std::array<double, 3>
                        const std::array<double, 3>& truth, double weight)
 {
     const double octave = std::log2(std::max(lambda, 1e-12));
-    const double place = (std::clamp(octave, kLowest, kHighest) - kLowest) * kAnOctave;
-    const int first = std::min(static_cast<int>(place), kBins - 2);
-    const double share = place - first;
+    const double place = (std::clamp<double>(octave, kLowest, kHighest) - kLowest) * kAnOctave;
+    const size_t first = std::min(static_cast<size_t>(place), kBins - 2);
+    const double share = place - static_cast<double>(first);
     Bin sample;
     for (size_t c = 0; c < 3; ++c) {
         sample.truth += truth[c] * truth[c];
         sample.product += truth[c] * shift[c];
         sample.shift += shift[c] * shift[c];
     }
-    for (const int side : {0, 1}) {
-        Bin& bin = bins_[static_cast<size_t>(elevation)][static_cast<size_t>(first + side)];
+    for (const size_t side : {0, 1}) {
+        Bin& bin = bins_[static_cast<size_t>(elevation)][first + side];
         const double part = weight * (side == 0 ? 1 - share : share);
         bin.weight += part;
         bin.truth += part * sample.truth;
@@ -61,8 +61,8 @@ std::vector<double> ExponentBins::squares(const ExponentFit& fit) const
 {
     std::vector<double> sums(bins_.size());
     for (size_t i = 0; i < kBins; ++i) {
-        const double exponent = kernel::scree_measured_exponent(lambda_of(static_cast<int>(i)),
-                                                                fit.gain, fit.power, fit.threshold);
+        const double exponent =
+            kernel::scree_measured_exponent(lambda_of(i), fit.gain, fit.power, fit.threshold);
         const double mean = filter::visible_height(exponent).mean;
         for (size_t e = 0; e < bins_.size(); ++e) {
             const Bin& bin = bins_[e][i];
@@ -102,9 +102,11 @@ public:
         double least = cost(best);
         for (const double threshold : {0.0, 0.003, 0.01, 0.03, 0.1, 0.3})
             for (const double power : {0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0})
-                for (double gain = 0.0625; gain <= 8; gain *= std::sqrt(2.0))
-                    take({gain, power, threshold}, best, least);
-        for (double step = 0.25; step > 0.002; step /= 2)
+                for (const double octave : {-4.0, -3.5, -3.0, -2.5, -2.0, -1.5, -1.0, -0.5, 0.0,
+                                            0.5, 1.0, 1.5, 2.0, 2.5, 3.0})
+                    take({std::exp2(octave), power, threshold}, best, least);
+        for (int halved = 2; halved < 9; ++halved) {
+            const double step = std::exp2(-halved);
             for (bool better = true; better;) {
                 const double before = least;
                 for (const double way : {step, -step}) {
@@ -114,6 +116,7 @@ public:
                 }
                 better = least < before * (1 - 1e-3);
             }
+        }
         return best;
     }
 

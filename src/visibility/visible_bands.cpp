@@ -33,6 +33,7 @@ std::shared_ptr<const VisibleBand> VisibleBands::with_row(int y)
         const size_t texels = static_cast<size_t>(block.width) * static_cast<size_t>(block.height);
         std::vector<float> excess(static_cast<size_t>(components_.count()) * texels);
         std::vector<float*> planes;
+        planes.reserve(static_cast<size_t>(components_.count()));
         for (int c = 0; c < components_.count(); ++c)
             planes.push_back(excess.data() + static_cast<size_t>(c) * texels);
         components_.see(heights_, block, planes.data());
