@@ -34,7 +34,7 @@ void ExponentBins::add(int elevation, double lambda, const std::array<double, 3>
         sample.product += truth[c] * shift[c];
         sample.shift += shift[c] * shift[c];
     }
-    for (const size_t side : {0, 1}) {
+    for (const size_t side : {size_t{0}, size_t{1}}) {
         Bin& bin = bins_[static_cast<size_t>(elevation)][first + side];
         const double part = weight * (side == 0 ? 1 - share : share);
         bin.weight += part;
