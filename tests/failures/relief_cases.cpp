@@ -74,7 +74,7 @@ Measured correlated_heights()
                {{" seen across", 80, 0, 0.13, 0.03},
                 {" seen across", 60, 0, 0.022, 0.035},
                 {" seen diagonally", 80, 45, 0.11, 0.1},
-                {" seen along", 80, 90, 0.001, 0.008}},
+                {" seen along", 80, 90, 0.001, 0.0095}},
                all);
     add_colors("grain on hills", grain_on_hills(),
                {{"", 80, 0, 0.145, 0.012}, {"", 60, 0, 0.013, 0.003}}, all);
