@@ -78,7 +78,7 @@ Measured correlated_heights()
                all);
     add_colors("grain on hills", grain_on_hills(),
                {{"", 80, 0, 0.145, 0.012}, {"", 60, 0, 0.013, 0.003}}, all);
-    add_colors("cracks", cracked(), {{"", 80, 0, 0.022, 0.002}}, all);
+    add_colors("cracks", cracked(), {{"", 80, 0, 0.022, 0.0025}}, all);
     add_colors("bricks", scaled_to_slope(sample("bricks", 256), 0.3), {{"", 80, 0, 0.003, 0.006}},
                all);
     add_colors("fractal", scaled_to_slope(sample("fractal", 256), 0.6),
