@@ -11,7 +11,8 @@ bool goes_on(Edge edge);
 ///
 /// Level l has max(1, floor(n / 2)) texels of level l - 1 along an axis. Each stands for what those
 /// it covers hide from afar: halfway between their mean, which hides too little, and the highest of
-/// them, which hides too much (coarser_heights(); figures in docs/visibility.md). Heights are those
+/// them, which hides too much (coarser_heights(); measured in
+/// tests/visibility/sweep_far_test.cpp). Heights are those
 /// of the texel centres, world units, finite or NaN where there is no data. Sweeps reckon in
 /// floats: subtract a large height that all have in common. Thread safe.
 class HeightGrid {

@@ -38,8 +38,9 @@ struct SweepOptions {
 ///
 /// A line's profile is the bilinear surface at the rows (or columns, whichever it crosses faster)
 /// of texel centres and halfway between, straight in between. A texel gets what the lines nearest
-/// to its centre see in it: samples, of which areas of 4x4 texels and more have enough (figures in
-/// docs/visibility.md).
+/// to its centre see in it: samples, so single texels are noisy and areas of 16x16 are not
+/// [tests/visibility/sweep_reference_test.cpp]. Kinks between samples are cut, and a step counts
+/// for one texel: heights and colors that both change within a texel or two are told less well.
 ///
 /// Cells between texels without data, and beyond a map that ends, hide nothing; texels beside them
 /// are seen up to their edges (LineWindow::make_whole()).
