@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 
 #include "judge/picked_texels.h"
@@ -111,21 +110,16 @@ NodeCheck check_nodes(SetReader& set, const reference::DisplacedSurface& surface
     gathering.views = node_views(table);
     gathering.grid = plan.grid;
     gathering.seed = plan.seed;
-    std::vector<reference::Footprint> footprints;
-    footprints.reserve(picked.size());
-    for (const PickedTexel& texel : picked)
-        footprints.push_back(texel.footprint);
-
+    const GatheredTexels gathered = gather_texels(surface, picked, gathering, progress);
+    const auto& truths = gathered.truths;
     NodeCheck check;
-    const auto begin = std::chrono::steady_clock::now();
-    const auto truths = gather_all(surface, footprints, gathering, progress);
-    check.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    check.samples = gathered.samples;
+    check.rays = gathered.rays;
+    check.seconds = gathered.seconds;
 
     const size_t nodes = table.node_angles_deg.size();
     std::vector<std::vector<Sums>> sums(set.manifest().levels.size(), std::vector<Sums>(nodes));
     for (size_t i = 0; i < picked.size(); ++i) {
-        check.rays += truths[i].rays;
-        check.samples += truths[i].samples;
         for (size_t node = 0; node < nodes; ++node) {
             const auto of = [&](const reference::Gathered& seen) {
                 return true_moments(seen, gathering.views, table, node);

@@ -1,6 +1,7 @@
 #include "judge/picked_texels.h"
 
 #include <algorithm>
+#include <chrono>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -73,6 +74,27 @@ std::vector<PickedTexel> pick_texels(SetReader& set, int first_level, int count,
         return std::tie(a.level, a.y) < std::tie(b.level, b.y);
     });
     return texels;
+}
+
+GatheredTexels gather_texels(const reference::DisplacedSurface& surface,
+                             const std::vector<PickedTexel>& texels,
+                             const reference::GatherPlan& plan,
+                             const std::function<void(double)>& progress)
+{
+    std::vector<reference::Footprint> footprints;
+    footprints.reserve(texels.size());
+    for (const PickedTexel& texel : texels)
+        footprints.push_back(texel.footprint);
+    GatheredTexels gathered;
+    const auto begin = std::chrono::steady_clock::now();
+    gathered.truths = gather_all(surface, footprints, plan, progress);
+    gathered.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    for (const reference::Estimate& truth : gathered.truths) {
+        gathered.rays += truth.rays;
+        gathered.samples += truth.samples;
+    }
+    return gathered;
 }
 
 } // namespace scree

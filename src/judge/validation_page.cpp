@@ -63,9 +63,8 @@ void add_tables(const NodeCheck& check, const ViewPlan& plan, report::Page& page
     page.paragraph(fmt::format(
         "What NAME.visible.exr holds at its nodes, the means over the azimuth, against the same "
         "azimuths of the reference: up to {} footprints of each level, {} samples a footprint. "
-        "Area "
-        "is E[V W] / cos theta - 1, color E[c V W] / cos theta - E[c] over the rms of the map's "
-        "mean color. \"noise\" is the reference's own.",
+        "Area is E[V W] / cos theta - 1, color E[c V W] / cos theta - E[c] over the rms of the "
+        "map's mean color. \"noise\" is the reference's own.",
         std::min(plan.footprints, kMostNodeFootprints), plan.grid * plan.grid));
     page.add(node_table(check));
     page.paragraph(

@@ -1,7 +1,6 @@
 #include "judge/view_check.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "judge/picked_texels.h"
@@ -228,22 +227,17 @@ ViewCheck check_views(SetReader& set, const reference::DisplacedSurface& surface
     gathering.base_alpha = static_cast<double>(plan.material.base_alpha);
     gathering.grid = plan.grid;
     gathering.seed = plan.seed;
-    std::vector<reference::Footprint> footprints;
-    footprints.reserve(picked.size());
-    for (const PickedTexel& texel : picked)
-        footprints.push_back(texel.footprint);
-
+    const GatheredTexels gathered = gather_texels(surface, picked, gathering, progress);
+    const auto& truths = gathered.truths;
     ViewCheck check;
-    const auto begin = std::chrono::steady_clock::now();
-    const auto truths = gather_all(surface, footprints, gathering, progress);
-    check.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    check.samples = gathered.samples;
+    check.rays = gathered.rays;
+    check.seconds = gathered.seconds;
 
     const auto levels = set.manifest().levels.size();
     std::vector<std::vector<Sums>> sums(levels, std::vector<Sums>(plan.angles_deg.size()));
     const ViewComparison comparison(set.colors(), plan.material, gathering.lights);
     for (size_t i = 0; i < picked.size(); ++i) {
-        check.rays += truths[i].rays;
-        check.samples += truths[i].samples;
         auto& of_level = sums[static_cast<size_t>(picked[i].level)];
         for (Sums& of_angle : of_level)
             ++of_angle.footprints;

@@ -60,6 +60,20 @@ void expect_inputs(Map map, const Source& source, const BakeOptions& options, bo
         throw Error(fmt::format("--maps {}: is the table of a color map; give --colormap", name));
 }
 
+/// What was asked for is not left out in silence. With `auto` it is one way of several.
+void expect_inputs(const BakeOptions& options, const Source& source, bool has_color)
+{
+    if (!options.visibility || *options.visibility == Visibility::smith || options.auto_maps)
+        return;
+    if (!source.has_heights())
+        throw Error(
+            "--visibility: is measured on heights, and a normal map has none; give a height "
+            "map, or --visibility smith");
+    if (!has_color)
+        throw Error("--visibility: tells the visible color, and there is none; give --color or "
+                    "--colormap, or --visibility smith");
+}
+
 } // namespace
 
 std::vector<Map> choose_maps(const Source& source, const BakeOptions& options, bool has_color,
@@ -67,6 +81,7 @@ std::vector<Map> choose_maps(const Source& source, const BakeOptions& options, b
 {
     if (options.layout == Layout::bumpslopes)
         return {Map::bumpslopes};
+    expect_inputs(options, source, has_color);
     std::vector<Map> maps =
         options.maps.empty() ? all_maps(source, options, has_color) : options.maps;
     for (const Map map : maps)

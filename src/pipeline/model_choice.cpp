@@ -74,8 +74,8 @@ int rank_terms_of(const ModelChoice& choice)
 
 VisibilityPlan table_of(const ModelChoice& choice, const MeasuredModels& measured)
 {
-    for (size_t i = 0; i < measured.models.size() && i < choice.models.size(); ++i)
-        if (choice.models[i].chosen)
+    for (size_t i = 0; i < measured.models.size(); ++i)
+        if (is_chosen(choice, measured.models[i].model))
             return measured.tables[i];
     return {};
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <utility>
@@ -50,6 +51,17 @@ void expect_tolerance(double tolerance, const char* option)
 {
     if (!(tolerance > 0) || !std::isfinite(tolerance))
         throw Error(fmt::format("{} {}: must be above 0, and finite", option, tolerance));
+}
+
+/// Maps that are named decide; they must not leave out what tells the visible color.
+void expect_map_of(const std::optional<Visibility>& given, Visibility way, Map map,
+                   const std::vector<Map>& maps)
+{
+    if (given == way && !maps.empty() && std::find(maps.begin(), maps.end(), map) == maps.end())
+        throw Error(
+            fmt::format("--maps leaves out {}, which --visibility asks for; add it, or give "
+                        "--visibility without --maps",
+                        map_info(map).name));
 }
 
 void expect_range(double low, double high)
@@ -105,6 +117,10 @@ void expect_sensible(const BakeOptions& options)
     if (table.azimuths <= 2 * table.harmonics || table.azimuths > kMaxAzimuths)
         throw Error(fmt::format("--azimuths {}: must be {} (more than twice the harmonics) to {}",
                                 table.azimuths, 2 * table.harmonics + 1, kMaxAzimuths));
+    if (options.layout == Layout::bumpslopes && options.visibility)
+        throw Error("--visibility goes with --layout scree; bumpslopes holds no colors");
+    expect_map_of(options.visibility, Visibility::tables, Map::visible, options.maps);
+    expect_map_of(options.visibility, Visibility::corrected, Map::exponent, options.maps);
     if (options.layout == Layout::bumpslopes && (!options.maps.empty() || options.auto_maps))
         throw Error("--maps goes with --layout scree; bumpslopes is one file of its own");
     if (options.layout == Layout::bumpslopes && !options.colormap_file.empty())

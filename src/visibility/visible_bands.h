@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -14,8 +15,9 @@ struct VisibleBand {
 
     [[nodiscard]] const float* row(int component, int y) const
     {
-        const auto w = static_cast<ptrdiff_t>(width);
-        return excess.data() + (static_cast<ptrdiff_t>(component) * rows + (y - first_row)) * w;
+        const auto w = static_cast<std::ptrdiff_t>(width);
+        return excess.data() +
+               (static_cast<std::ptrdiff_t>(component) * rows + (y - first_row)) * w;
     }
 };
 

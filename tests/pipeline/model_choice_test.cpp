@@ -10,34 +10,20 @@
 
 #include "kernel/filter.h"
 #include "math/normal.h"
-#include "pipeline/bake.h"
 #include "pipeline/measured_views.h"
 #include "reference/gather.h"
 #include "support/files.h"
-#include "support/memory_source.h"
+#include "support/memory_bake.h"
 #include "support/set_slopes.h"
 
 namespace scree::test {
 namespace {
 
-Manifest bake_auto(MemorySource source, const std::filesystem::path& folder,
-                   const BakeOptions& given = {})
+Manifest bake_auto(const MemorySource& source, const std::filesystem::path& folder,
+                   BakeOptions options = {})
 {
-    BakeOptions options = given;
-    options.output = folder;
     options.auto_maps = true;
-    options.texel_size = {1, 1};
-    Manifest manifest;
-    manifest.name = "test";
-    return bake(source, options, manifest);
-}
-
-std::set<Map> maps_of(const Manifest& manifest)
-{
-    std::set<Map> maps;
-    for (const TextureRecord& texture : manifest.textures)
-        maps.insert(texture.map);
-    return maps;
+    return bake_memory(folder, source, options);
 }
 
 double error_of(const Manifest& manifest, const std::string& model)
@@ -171,12 +157,8 @@ TEST(ModelChoice, ErrorsAreWhatTheModelsDoNotShowOfHills)
     const Manifest m = bake_auto(source, temp / "set", options);
 
     BakeOptions all = options;
-    all.output = temp / "all";
-    all.texel_size = {1, 1};
     all.pixel_type = PixelTypeChoice::float32;
-    Manifest manifest;
-    manifest.name = "test";
-    bake(source, all, manifest);
+    bake_memory(temp / "all", source, all);
     const Image slope = read_levels(temp / "all" / "test.slope.exr").back();
     const Image tail = read_levels(temp / "all" / "test.tail.exr").back();
     const auto slopes = slopes_at(slope, 0, 0, static_cast<double>(tail.at(0, 0, 0)));

@@ -8,10 +8,9 @@
 #include <set>
 
 #include "math/error.h"
-#include "pipeline/bake.h"
 #include "reference/gather.h"
 #include "support/files.h"
-#include "support/memory_source.h"
+#include "support/memory_bake.h"
 
 namespace scree::test {
 namespace {
@@ -42,23 +41,6 @@ MemorySource snowy()
     return source;
 }
 
-Manifest bake_to(const std::filesystem::path& folder, MemorySource source, BakeOptions options)
-{
-    options.output = folder;
-    options.texel_size = {1, 1};
-    Manifest manifest;
-    manifest.name = "test";
-    return bake(source, options, manifest);
-}
-
-std::set<Map> maps_of(const Manifest& manifest)
-{
-    std::set<Map> maps;
-    for (const TextureRecord& texture : manifest.textures)
-        maps.insert(texture.map);
-    return maps;
-}
-
 TEST(VisibilityTable, HoldsWhatTheReferenceSees)
 {
     TempFolder temp;
@@ -67,7 +49,7 @@ TEST(VisibilityTable, HoldsWhatTheReferenceSees)
     options.table = {{60, 80}, 0, 8};
     options.pixel_type = PixelTypeChoice::float32;
     const MemorySource source = snowy();
-    const Manifest m = bake_to(temp / "set", source, options);
+    const Manifest m = bake_memory(temp / "set", source, options);
     const auto levels = read_levels(temp / "set" / "test.visible.exr");
     ASSERT_EQ(levels[0].channels, visible_channels(2, 0));
 
@@ -129,7 +111,7 @@ TEST(VisibilityTable, OfAWholeMapThatGoesOnSeesAllOfIt)
     options.visibility = Visibility::tables;
     options.table = {best_node_angles(4), 1, 8};
     options.pixel_type = PixelTypeChoice::float32;
-    bake_to(temp / "set", snowy(), options);
+    bake_memory(temp / "set", snowy(), options);
     const Image last = read_levels(temp / "set" / "test.visible.exr").back();
     for (int node = 0; node < 4; ++node)
         for (int term = 0; term < 3; ++term)
@@ -142,10 +124,10 @@ TEST(VisibilityTable, TakesThePlaceOfOtherModelsOfColor)
     TempFolder temp;
     BakeOptions options;
     options.visibility = Visibility::tables;
-    const auto maps = maps_of(bake_to(temp / "set", snowy(), options));
+    const auto maps = maps_of(bake_memory(temp / "set", snowy(), options));
     EXPECT_EQ(maps, (std::set<Map>{Map::slope, Map::height, Map::color, Map::visible, Map::tail}));
     options.visibility = Visibility::corrected;
-    const Manifest m = bake_to(temp / "corrected", snowy(), options);
+    const Manifest m = bake_memory(temp / "corrected", snowy(), options);
     EXPECT_EQ(maps_of(m), (std::set<Map>{Map::slope, Map::height, Map::color, Map::colorheight,
                                          Map::exponent, Map::tail}));
     const auto levels = read_levels(temp / "corrected" / "test.exponent.exr");
@@ -164,7 +146,7 @@ TEST(VisibilityTable, EveryLevelSaysWhatTheModelsLeaveAndNoneIsWorseThanTheMean)
     BakeOptions options;
     options.auto_maps = true;
     options.table.harmonics = 2;
-    const Manifest m = bake_to(temp / "set", snowy(), options);
+    const Manifest m = bake_memory(temp / "set", snowy(), options);
     for (size_t l = 1; l < m.levels.size(); ++l) {
         const auto& errors = m.levels[l].model_errors;
         auto error = [&errors](const std::string& model) {
@@ -186,7 +168,7 @@ TEST(VisibilityTable, BytesDoNotDependOnTheNumberOfThreads)
         BakeOptions options;
         options.visibility = Visibility::tables;
         options.threads = threads;
-        bake_to(temp / "set", snowy(), options);
+        bake_memory(temp / "set", snowy(), options);
         const std::string bytes = read_bytes(temp / "set" / "test.visible.exr");
         if (first.empty())
             first = bytes;
@@ -205,7 +187,7 @@ TEST(VisibilityTable, TexelsWithoutDataNeitherHideNorAreSeen)
     BakeOptions options;
     options.visibility = Visibility::tables;
     options.pixel_type = PixelTypeChoice::float32;
-    bake_to(temp / "set", source, options);
+    bake_memory(temp / "set", source, options);
     const auto levels = read_levels(temp / "set" / "test.visible.exr");
     for (const float value : levels[0].pixels)
         EXPECT_TRUE(std::isfinite(value));
@@ -220,12 +202,32 @@ TEST(VisibilityTable, NeedsHeightsAndColors)
     flat.slopes.assign(16, {0.1, 0});
     flat.colors.assign(16, {0.5, 0.5, 0.5});
     BakeOptions options;
-    options.maps = {Map::color, Map::visible};
-    EXPECT_THROW(bake_to(temp / "set", flat, options), Error);
     MemorySource colorless = snowy();
     colorless.colors.clear();
-    EXPECT_THROW(bake_to(temp / "set", colorless, options), Error);
+    options.maps = {Map::color, Map::visible};
+    EXPECT_THROW(bake_memory(temp / "set", flat, options), Error);
+    EXPECT_THROW(bake_memory(temp / "set", colorless, options), Error);
+    options.maps = {};
+    for (const Visibility visibility : {Visibility::tables, Visibility::corrected}) {
+        options.visibility = visibility;
+        EXPECT_THROW(bake_memory(temp / "set", flat, options), Error);
+        EXPECT_THROW(bake_memory(temp / "set", colorless, options), Error);
+    }
     EXPECT_FALSE(std::filesystem::exists(temp / "set"));
+}
+
+TEST(VisibilityTable, IsNotLeftOutInSilence)
+{
+    TempFolder temp;
+    BakeOptions options;
+    options.visibility = Visibility::tables;
+    options.maps = {Map::slope, Map::color};
+    EXPECT_THROW(bake_memory(temp / "set", snowy(), options), Error);
+    options.visibility = Visibility::corrected;
+    EXPECT_THROW(bake_memory(temp / "set", snowy(), options), Error);
+    options.maps = {};
+    options.layout = Layout::bumpslopes;
+    EXPECT_THROW(bake_memory(temp / "set", snowy(), options), Error);
 }
 
 } // namespace
