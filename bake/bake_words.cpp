@@ -120,6 +120,10 @@ void add_bake_options(CLI::App& command, BakeWords& words)
     set->add_option("--harmonics", words.harmonics,
                     "of tables: terms of the azimuth, 0 (the same from all sides) to 2 [1; of "
                     "auto at most 2]");
+    set->add_option("--axes", words.axes,
+                    "of tables: instead of harmonics, what goes with the view along two axes, for "
+                    "walls, bricks and grooves; degrees of one from +s (right) towards +t (down), "
+                    "or auto: where most slopes lie [of --maps auto tried, too]");
     set->add_option("--azimuths", o.table.azimuths, "of tables: directions that are swept")
         ->capture_default_str();
     set->add_option("--max-view-angle", o.max_view_angle_deg,
@@ -154,6 +158,17 @@ std::optional<std::array<double, 2>> pair_of(const std::vector<double>& numbers)
     return std::array<double, 2>{numbers.front(), numbers.back()};
 }
 
+/// Degrees; absent: auto.
+std::optional<double> axis_named(const std::string& text)
+{
+    if (text == "auto")
+        return std::nullopt;
+    double degrees = 0;
+    if (!CLI::detail::lexical_cast(text, degrees))
+        throw Error(fmt::format("--axes {}: must be auto, or an angle in degrees", text));
+    return degrees;
+}
+
 } // namespace
 
 void interpret(CLI::App& command, BakeWords& words)
@@ -184,6 +199,12 @@ void interpret(CLI::App& command, BakeWords& words)
         if (!words.visibility.empty())
             o.visibility = visibility_named(words.visibility);
         o.table.harmonics = words.harmonics.value_or(o.auto_maps ? 2 : 1);
+        if (!words.axes.empty()) {
+            if (words.harmonics && !o.auto_maps)
+                throw Error("--axes and --harmonics: a table has one or the other");
+            o.table.axes = !o.auto_maps;
+            o.axis_deg = axis_named(words.axes);
+        }
         if (words.nodes) {
             if (*words.nodes < 1 || *words.nodes > kMaxNodes)
                 throw Error(fmt::format("--nodes {}: must be 1 to {}", *words.nodes, kMaxNodes));

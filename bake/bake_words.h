@@ -27,6 +27,7 @@ struct BakeWords {
     std::string pixel_type = "auto", compression = "zip", layout = "scree";
     std::string visibility; ///< empty: not given
     std::optional<int> nodes, harmonics;
+    std::string axes;
     bool quiet = false;
 };
 

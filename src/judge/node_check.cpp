@@ -44,12 +44,20 @@ Moments true_moments(const reference::Gathered& seen, const std::vector<Vec3>& v
     return moments;
 }
 
-Moments stored_moments(const SetTexel& texel, const VisibilityRecord& table, size_t node)
+Moments stored_moments(const SetTexel& texel, const SetColors& colors,
+                       const std::vector<Vec3>& views, size_t azimuths, size_t node)
 {
-    const size_t terms = 1 + 2 * static_cast<size_t>(table.harmonics);
-    const float* a = texel.visible.data() + 4 * terms * node; // A B G R
-    return {static_cast<double>(a[0]), static_cast<double>(a[3]), static_cast<double>(a[2]),
-            static_cast<double>(a[1])};
+    Moments moments{};
+    for (size_t j = 0; j < azimuths; ++j) {
+        const Vec3& w = views[1 + node * azimuths + j];
+        const auto told = visibility_of(texel, colors, Vec3f(w));
+        moments[0] += static_cast<double>(told.a);
+        for (int c = 0; c < 3; ++c)
+            moments[static_cast<size_t>(1 + c)] += static_cast<double>(told.beta[c]);
+    }
+    for (double& moment : moments)
+        moment /= static_cast<double>(azimuths);
+    return moments;
 }
 
 /// Sums of squares over footprints.
@@ -125,8 +133,9 @@ NodeCheck check_nodes(SetReader& set, const reference::DisplacedSurface& surface
                 return true_moments(seen, gathering.views, table, node);
             };
             sums[static_cast<size_t>(picked[i].level)][node].add(
-                stored_moments(picked[i].texel, table, node), of(truths[i].all),
-                of(truths[i].halves[0]), of(truths[i].halves[1]));
+                stored_moments(picked[i].texel, set.colors(), gathering.views,
+                               static_cast<size_t>(table.azimuths), node),
+                of(truths[i].all), of(truths[i].halves[0]), of(truths[i].halves[1]));
         }
     }
     const double color = color_size(set.manifest());

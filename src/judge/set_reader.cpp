@@ -45,13 +45,28 @@ void describe_nodes(const std::optional<VisibilityRecord>& record, const Texture
     const auto nodes = record ? static_cast<int>(record->node_angles_deg.size()) : 0;
     if (nodes < 1 || nodes > kMaxNodes || record->harmonics < 0 ||
         record->harmonics > kMaxHarmonics ||
-        visible_channels(nodes, record->harmonics) != texture.channels)
-        throw Error(fmt::format("{}: has other nodes or harmonics than its manifest says; bake the "
+        (record->axis_deg ? visible_channels_along_axes(nodes)
+                          : visible_channels(nodes, record->harmonics)) != texture.channels)
+        throw Error(fmt::format("{}: has other nodes or terms than its manifest says; bake the "
                                 "set again",
                                 (folder / texture.file).string()));
+    double before = 0;
+    for (const double angle_deg : record->node_angles_deg) {
+        if (!(angle_deg > before && angle_deg < 90))
+            throw Error(fmt::format("{}: nodes at {} degrees in its manifest, expected rising ones "
+                                    "below 90; bake the set again",
+                                    (folder / texture.file).string(),
+                                    fmt::join(record->node_angles_deg, ", ")));
+        before = angle_deg;
+    }
     for (const double angle_deg : record->node_angles_deg)
         colors.node_cosines.push_back(static_cast<float>(std::cos(angle_deg * kRadPerDegree)));
     colors.harmonics = record->harmonics;
+    if (record->axis_deg) {
+        colors.axes = true;
+        colors.axis_s = static_cast<float>(std::cos(*record->axis_deg * kRadPerDegree));
+        colors.axis_t = static_cast<float>(std::sin(*record->axis_deg * kRadPerDegree));
+    }
 }
 
 } // namespace

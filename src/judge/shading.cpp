@@ -4,8 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "kernel/visibility_table.h"
-
 namespace scree {
 
 namespace {
@@ -73,8 +71,13 @@ float exponent_of(const SetTexel& texel, ColorModel model, const Vec3f& w)
 
 filter::VisibilityTable<float> table_of(const SetTexel& texel, const SetColors& colors)
 {
-    return {texel.visible.data(), colors.node_cosines.data(),
-            static_cast<int>(colors.node_cosines.size()), colors.harmonics};
+    return {texel.visible.data(),
+            colors.node_cosines.data(),
+            static_cast<int>(colors.node_cosines.size()),
+            colors.harmonics,
+            colors.axes,
+            colors.axis_s,
+            colors.axis_t};
 }
 
 } // namespace
@@ -115,6 +118,12 @@ Rgbf color_of_exponent(const SetTexel& texel, const SetColors& colors, ColorMode
     for (size_t i = 0; i < 3; ++i)
         color[i] = std::max(color[i] - texel.color[i] + leaning[static_cast<int>(i)], 0.0F);
     return color;
+}
+
+filter::Visibility<float> visibility_of(const SetTexel& texel, const SetColors& colors,
+                                        const Vec3f& w)
+{
+    return filter::visibility(table_of(texel, colors), w);
 }
 
 Rgbf visible_color(const SetTexel& texel, const SetColors& colors, ColorModel model,

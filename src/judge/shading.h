@@ -7,6 +7,7 @@
 #include "color/map_table.h"
 #include "judge/set_texel.h"
 #include "kernel/filter.h"
+#include "kernel/visibility_table.h"
 
 namespace scree {
 
@@ -40,6 +41,8 @@ struct SetColors {
     float azimuth_s = 1, azimuth_t = 0; ///< of "slope"
     std::vector<float> node_cosines;    ///< of ColorModel::visible
     int harmonics = 0;                  ///< likewise
+    bool axes = false;                  ///< likewise; instead of harmonics
+    float axis_s = 1, axis_t = 0;       ///< the first of them
 
     /// What a renderer would take: tables of visibility, the table of a color map, ranks, the line
     /// with the measured exponent, with Smith's, the mean.
@@ -65,6 +68,10 @@ filter::Slopes<float> slopes_of(const SetTexel& texel);
 /// by_slope  adds the correlation with slope (not to a color map's table by slope, which has it)
 Rgbf color_of_exponent(const SetTexel& texel, const SetColors& colors, ColorModel model,
                        bool by_slope, const Vec3f& wo, float exponent);
+
+/// What the tables of ColorModel::visible tell of a direction.
+filter::Visibility<float> visibility_of(const SetTexel& texel, const SetColors& colors,
+                                        const Vec3f& w);
 
 /// The color that a view sees, by any of the models, as a renderer would have it.
 Rgbf visible_color(const SetTexel& texel, const SetColors& colors, ColorModel model,

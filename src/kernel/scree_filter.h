@@ -661,8 +661,9 @@ SCREE_FUNCTION Real scree_color_by_slope(Real c, Real cs, Real ct, Real s, Real 
 //
 //   a = v - 1,   beta = E[c (v - 1)], one a channel
 //
-// at a few angles theta, the nodes, each as the mean over the azimuth and its harmonics. Straight
-// above both are 0: a node that is in no file. Light is told by the same numbers as view.
+// at a few angles theta, the nodes, each as the mean over the azimuth and its harmonics, or as what
+// is alike from all sides and what goes along two axes across each other. Straight above both are
+// 0: a node that is in no file. Light is told by the same numbers as view.
 
 /// What tables are interpolated along, linearly: tan theta, 0 straight above.
 ///
@@ -706,6 +707,18 @@ SCREE_FUNCTION void scree_azimuth_harmonics(Real wx, Real wy, OUT(Real, c1), OUT
     s1 = wy * per_length;
     c2 = ((wx - wy) * per_length) * ((wx + wy) * per_length); // not c1 c1 - s1 s1: keeps digits
     s2 = LIT(2.0) * c1 * s1;
+}
+
+/// Cosine of a direction's angle from the normal as seen along an axis of the texture plane, across
+/// which it may lean as it likes: what tables along axes are looked up with, a side at a time.
+///
+/// along    the direction's part along the axis;  z  cos theta
+/// returns  in [0, 1]: 1 where it does not lean along the axis, 0 below the texture plane
+SCREE_FUNCTION Real scree_axis_cosine(Real along, Real z)
+{
+    Real up = max(z, LIT(0.0));
+    Real square = along * along + up * up;
+    return square > LIT(1.0e-30) ? up / sqrt(square) : LIT(1.0);
 }
 
 /// E[V W]: area that a direction sees, projected, per area of the texture plane.

@@ -18,6 +18,7 @@
 #include "pipeline/warnings.h"
 #include "pipeline/write_pass.h"
 #include "texset/staged_folder.h"
+#include "visibility/main_axis.h"
 
 namespace scree {
 
@@ -34,9 +35,9 @@ TexelMoments texels_of(const Surface& surface, const MomentLayout& layout)
 /// What views see of a surface, for one pass over it.
 class SeenRows {
 public:
-    SeenRows(const HeightGrid& heights, const VisibilityPlan& table,
+    SeenRows(const HeightGrid& heights, const TableSizes& tables,
              const std::vector<ViewAngles>& views)
-        : components_(table, views), bands_(heights, components_)
+        : components_({tables.visibility, tables.tried}, views), bands_(heights, components_)
     {}
 
     [[nodiscard]] VisibleBands* bands() { return components_.count() > 0 ? &bands_ : nullptr; }
@@ -45,6 +46,14 @@ private:
     ViewComponents components_;
     VisibleBands bands_;
 };
+
+VisibilityRecord record_of(const VisibilityPlan& table)
+{
+    VisibilityRecord record{table.node_angles_deg, table.harmonics, table.azimuths, {}};
+    if (table.axes)
+        record.axis_deg = table.axis_deg;
+    return record;
+}
 
 /// What a set is made of, as far as it is decided.
 struct SetPlan {
@@ -76,13 +85,13 @@ void measure(const Surface& surface, const HeightGrid* heights, SetPlan& plan, M
     if (options.pixel_type == PixelTypeChoice::automatic)
         visit(types.emplace(manifest.textures, layout, surface.scale(), width, height).visitors());
     if (options.auto_maps || heights != nullptr)
-        visit({&models.emplace(layout, surface.scale(), plan.map_table, plan.tables.visibility,
-                               views, width, height)});
+        visit({&models.emplace(layout, surface.scale(), plan.map_table, plan.tables, views, width,
+                               height)});
     if (options.auto_maps)
         visit(report.visitors());
     std::optional<SeenRows> seen;
     if (heights != nullptr)
-        seen.emplace(*heights, plan.tables.visibility, views.angles);
+        seen.emplace(*heights, plan.tables, views.angles);
     StripReader strips(surface.source, surface.found, options, seen ? seen->bands() : nullptr,
                        false);
     MomentPyramid pyramid(layout, width, height, visitors);
@@ -101,8 +110,8 @@ void choose(const BakeOptions& options, SetPlan& plan, Manifest& manifest)
 {
     manifest.model_choice = choose_models(*plan.models, plan.maps, options);
     plan.maps = maps_of(*manifest.model_choice, plan.maps, options);
-    plan.tables = {rank_terms_of(*manifest.model_choice),
-                   table_of(*manifest.model_choice, *plan.models)};
+    plan.tables = {
+        rank_terms_of(*manifest.model_choice), table_of(*manifest.model_choice, *plan.models), {}};
     std::vector<TextureRecord> kept;
     for (TextureRecord& texture : manifest.textures) {
         if (std::find(plan.maps.begin(), plan.maps.end(), texture.map) == plan.maps.end())
@@ -147,7 +156,7 @@ std::vector<LevelSummary> write_textures(const Surface& surface, const SetPlan& 
     }
     std::optional<SeenRows> seen;
     if (heights != nullptr && plan.tables.visibility.components() > 0)
-        seen.emplace(*heights, plan.tables.visibility, std::vector<ViewAngles>());
+        seen.emplace(*heights, plan.tables, std::vector<ViewAngles>());
     StripReader strips(surface.source, surface.found, surface.options,
                        seen ? seen->bands() : nullptr, true);
     MomentPyramid pyramid(layout, surface.width(), surface.height(), visitors);
@@ -204,7 +213,7 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
     describe(surface, manifest);
     SetPlan plan;
     plan.maps = choose_maps(source, options, surface.has_color(), surface.found.complete);
-    plan.tables = {options.rank_terms, table_of(plan.maps, options)};
+    plan.tables = tables_of(plan.maps, options);
     manifest.textures = textures_for(plan.maps, plan.tables, options, manifest.name);
     const bool by_height = options.map_by == MapBy::height;
     // By height it is one of the models to be measured; by slope it is made of the slopes found.
@@ -217,6 +226,9 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
     if (needs_views(plan.maps, options))
         spooled.emplace(surface, folder.path());
     const HeightGrid* heights = spooled ? &*spooled : nullptr;
+    for (VisibilityPlan* seen : {&plan.tables.visibility, &plan.tables.tried})
+        if (seen->axes && heights != nullptr)
+            seen->axis_deg = options.axis_deg.value_or(main_axis_deg(*heights));
 
     if (options.auto_maps || options.pixel_type == PixelTypeChoice::automatic || heights != nullptr)
         measure(surface, heights, plan, manifest);
@@ -224,8 +236,7 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
         choose(options, plan, manifest);
     const VisibilityPlan& visibility = plan.tables.visibility;
     if (visibility.components() > 0)
-        manifest.visibility = {visibility.node_angles_deg, visibility.harmonics,
-                               visibility.azimuths};
+        manifest.visibility = record_of(visibility);
     manifest.levels = write_textures(surface, plan, heights, manifest, folder.path());
     if (plan.models)
         report_models(*plan.models, plan.maps, manifest.levels);

@@ -47,11 +47,12 @@ void describe(const Surface& surface, Manifest& manifest)
 std::vector<std::string> channels_of(Map map, const TableSizes& tables)
 {
     const VisibilityPlan& visibility = tables.visibility;
+    const auto nodes = static_cast<int>(visibility.node_angles_deg.size());
     if (map == Map::rank)
         return rank_channels(tables.rank_terms);
     if (map == Map::visible)
-        return visible_channels(static_cast<int>(visibility.node_angles_deg.size()),
-                                visibility.harmonics);
+        return visibility.axes ? visible_channels_along_axes(nodes)
+                               : visible_channels(nodes, visibility.harmonics);
     return map_info(map).channels;
 }
 
@@ -103,7 +104,13 @@ Attributes attributes_of(Map map, const Manifest& manifest)
     if (map == Map::visible && manifest.visibility) {
         const VisibilityRecord& table = *manifest.visibility;
         attributes.emplace_back("scree:nodes", static_cast<int>(table.node_angles_deg.size()));
-        attributes.emplace_back("scree:harmonics", table.harmonics);
+        if (table.axis_deg) {
+            const double axis = *table.axis_deg * kRadian;
+            attributes.emplace_back("scree:axisCosine", static_cast<float>(std::cos(axis)));
+            attributes.emplace_back("scree:axisSine", static_cast<float>(std::sin(axis)));
+        } else {
+            attributes.emplace_back("scree:harmonics", table.harmonics);
+        }
         for (size_t i = 0; i < table.node_angles_deg.size(); ++i)
             attributes.emplace_back(
                 fmt::format("scree:nodeCosine{}", i + 1),

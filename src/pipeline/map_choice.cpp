@@ -93,10 +93,18 @@ std::vector<Map> choose_maps(const Source& source, const BakeOptions& options, b
     return maps;
 }
 
-VisibilityPlan table_of(const std::vector<Map>& maps, const BakeOptions& options)
+TableSizes tables_of(const std::vector<Map>& maps, const BakeOptions& options)
 {
-    const bool has_table = std::find(maps.begin(), maps.end(), Map::visible) != maps.end();
-    return has_table ? options.table : VisibilityPlan();
+    TableSizes tables;
+    tables.rank_terms = options.rank_terms;
+    if (std::find(maps.begin(), maps.end(), Map::visible) == maps.end())
+        return tables;
+    tables.visibility = options.table;
+    if (!options.auto_maps || options.table.axes)
+        return tables;
+    tables.tried = options.table;
+    tables.tried.axes = true;
+    return tables;
 }
 
 bool needs_views(const std::vector<Map>& maps, const BakeOptions& options)

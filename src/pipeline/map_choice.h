@@ -17,8 +17,9 @@ namespace scree {
 std::vector<Map> choose_maps(const Source& source, const BakeOptions& options, bool has_color,
                              bool complete);
 
-/// The table of visibility among the maps; without nodes where there is none.
-VisibilityPlan table_of(const std::vector<Map>& maps, const BakeOptions& options);
+/// Sizes of the tables among the maps, of visibility without nodes where there is none; for
+/// BakeOptions::auto_maps with one along axes to try besides. Axes lie along s.
+TableSizes tables_of(const std::vector<Map>& maps, const BakeOptions& options);
 
 /// Whether something among the maps is measured on the heights, and with them the models of color.
 bool needs_views(const std::vector<Map>& maps, const BakeOptions& options);

@@ -12,8 +12,9 @@ struct MeasuredView {
     double x, y, z; ///< unit, towards the viewer
 };
 
-/// Elevations that rise to the largest view angle, each from four sides; halfway between the
-/// azimuths that tables are made of, where a series in the azimuth is told least.
+/// Elevations that rise to the largest view angle, each from four sides: opposite ones, two close
+/// to an axis of the map, where walls hide the most, two farther off; halfway between the azimuths
+/// that tables are made of, where a series in the azimuth is told least.
 struct MeasuredViews {
     explicit MeasuredViews(double max_view_angle_deg);
 

@@ -72,9 +72,9 @@ struct ModelErrors::Texel {
 };
 
 ModelErrors::ModelErrors(const MomentLayout& layout, const ValueScale& scale, const MapTable* map,
-                         const VisibilityPlan& table, const MeasuredViews& views, int width,
+                         const TableSizes& tables, const MeasuredViews& views, int width,
                          int height)
-    : layout_(layout), scale_(scale), map_(map), table_(table), views_(views)
+    : layout_(layout), scale_(scale), map_(map), views_(views)
 {
     auto add = [this](const std::string& name, int channels, int rank_terms = 0) {
         Model& model = models_.emplace_back();
@@ -93,7 +93,8 @@ ModelErrors::ModelErrors(const MomentLayout& layout, const ValueScale& scale, co
         add("colorheight", 5); // and height
     if (layout.color_height >= 0 && layout.view_count > 0)
         add("exponent", 8); // and colorheight
-    add_tables(table);
+    add_tables(tables.visibility, layout.visible);
+    add_tables(tables.tried, layout.tried);
     std::stable_sort(models_.begin(), models_.end(), [](const Model& a, const Model& b) {
         return a.record.channels < b.record.channels;
     });
@@ -116,29 +117,50 @@ ModelErrors::ModelErrors(const MomentLayout& layout, const ValueScale& scale, co
     }
 }
 
-/// All nodes, and the second and last but one, or fewer; with as many harmonics and fewer.
-void ModelErrors::add_tables(const VisibilityPlan& table)
+/// A part of a table that is measured.
+void ModelErrors::add_table(const VisibilityPlan& measured, int first_plane,
+                            const std::vector<int>& nodes, int harmonics)
 {
-    const int count = static_cast<int>(table.node_angles_deg.size());
-    for (const double angle : table.node_angles_deg)
-        cosines_.push_back(std::cos(angle * kRadian));
-    std::vector<std::vector<int>> subsets;
-    if (count >= 4)
-        subsets.push_back({1, count - 1});
-    if (count >= 1) {
-        subsets.emplace_back();
-        for (int node = 0; node < count; ++node)
-            subsets.back().push_back(node);
+    Model& model = models_.emplace_back();
+    model.table = measured;
+    model.table.harmonics = harmonics;
+    model.table.node_angles_deg.clear();
+    auto add = [&](int node, int term) {
+        const int component = node * measured.terms() + term;
+        model.planes.push_back(first_plane + MomentLayout::kVisiblePlanes * component);
+    };
+    for (const int node : nodes) {
+        const double angle = measured.node_angles_deg[static_cast<size_t>(node)];
+        model.table.node_angles_deg.push_back(angle);
+        model.cosines.push_back(std::cos(angle * kRadian));
+        add(node, 0);
+        for (int term = 1; measured.axes && term < measured.terms(); ++term)
+            add(node, term);
+        for (const int wave : {0, 1}) // cosines, then sines
+            for (int h = 1; h <= harmonics; ++h)
+                add(node, wave * measured.harmonics + h);
     }
-    for (const auto& nodes : subsets)
-        for (int harmonics = 0; harmonics <= table.harmonics; ++harmonics) {
-            const int size = static_cast<int>(nodes.size()), terms = 1 + 2 * harmonics;
-            Model& model = models_.emplace_back();
-            model.record.model = fmt::format("visible {}x{}", size, terms);
-            model.record.channels = MomentLayout::kVisiblePlanes * size * terms;
-            model.nodes = nodes;
-            model.harmonics = harmonics;
-        }
+    const size_t size = nodes.size();
+    model.record.model = measured.axes ? fmt::format("visible {} along axes", size)
+                                       : fmt::format("visible {}x{}", size, model.table.terms());
+    model.record.channels = MomentLayout::kVisiblePlanes * model.table.components();
+}
+
+/// All nodes; of harmonics as many and fewer, and besides the second and last node alone.
+void ModelErrors::add_tables(const VisibilityPlan& measured, int first_plane)
+{
+    const int count = static_cast<int>(measured.node_angles_deg.size());
+    std::vector<int> all;
+    for (int node = 0; node < count; ++node)
+        all.push_back(node);
+    if (measured.axes)
+        add_table(measured, first_plane, all, 0);
+    for (int harmonics = 0; harmonics <= measured.harmonics && !measured.axes; ++harmonics) {
+        if (count >= 4)
+            add_table(measured, first_plane, {1, count - 1}, harmonics);
+        if (count >= 1)
+            add_table(measured, first_plane, all, harmonics);
+    }
 }
 
 bool ModelErrors::is_picked(int level, int x, int y) const
@@ -195,23 +217,19 @@ void ModelErrors::add_slopes(const Texel& texel, Sums& sums) const
 
 Rgb ModelErrors::by_table(const Model& model, const Texel& texel, const MeasuredView& view) const
 {
-    double values[kMostVisibleChannels], cosines[kMaxNodes];
+    double values[kMostVisibleChannels];
     int count = 0;
-    for (size_t node = 0; node < model.nodes.size(); ++node) {
-        cosines[node] = cosines_[static_cast<size_t>(model.nodes[node])];
-        const int first = model.nodes[node] * table_.terms();
-        auto add = [&](int term) {
-            for (int i = 0; i < MomentLayout::kVisiblePlanes; ++i)
-                values[count++] = texel.value(layout_.visible +
-                                              MomentLayout::kVisiblePlanes * (first + term) + i);
-        };
-        add(0);
-        for (const int wave : {0, 1}) // cosines, then sines
-            for (int h = 1; h <= model.harmonics; ++h)
-                add(wave * table_.harmonics + h);
-    }
-    const filter::VisibilityTable<double> table{
-        values, cosines, static_cast<int>(model.nodes.size()), model.harmonics};
+    for (const int plane : model.planes)
+        for (int i = 0; i < MomentLayout::kVisiblePlanes; ++i)
+            values[count++] = texel.value(plane + i);
+    const double axis = model.table.axis_deg * kRadian;
+    const filter::VisibilityTable<double> table{values,
+                                                model.cosines.data(),
+                                                static_cast<int>(model.cosines.size()),
+                                                model.table.harmonics,
+                                                model.table.axes,
+                                                std::cos(axis),
+                                                std::sin(axis)};
     const filter::Vec3<double> color(texel.value(layout_.color), texel.value(layout_.color + 1),
                                      texel.value(layout_.color + 2));
     const auto seen = filter::visible_color(color, table, {view.x, view.y, view.z});
@@ -221,7 +239,7 @@ Rgb ModelErrors::by_table(const Model& model, const Texel& texel, const Measured
 Rgb ModelErrors::shown(const Model& model, const Texel& texel, double lambda,
                        const MeasuredView& view) const
 {
-    if (!model.nodes.empty())
+    if (!model.planes.empty())
         return by_table(model, texel, view);
     Rgb color{};
     for (size_t c = 0; c < 3; ++c)
@@ -347,10 +365,7 @@ MeasuredModels ModelErrors::measured() const
     MeasuredModels measured;
     for (const Model& model : models_) {
         measured.models.push_back(model.record);
-        VisibilityPlan plan{{}, model.harmonics, table_.azimuths};
-        for (const int node : model.nodes)
-            plan.node_angles_deg.push_back(table_.node_angles_deg[static_cast<size_t>(node)]);
-        measured.tables.push_back(std::move(plan));
+        measured.tables.push_back(model.table);
     }
     for (size_t level = 0; level < blocks_.size(); ++level) {
         const Sums sums = total(static_cast<int>(level));

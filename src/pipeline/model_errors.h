@@ -45,9 +45,9 @@ public:
     ///         height is to be judged
     /// scale   world heights from normalised ones, which `map` is looked up with
     /// map     table of a color map by height, or null
-    /// table   of visibility, its components in the layout; models are its subsets
+    /// tables  of visibility, their components in the layout; models are their subsets
     ModelErrors(const MomentLayout& layout, const ValueScale& scale, const MapTable* map,
-                const VisibilityPlan& table, const MeasuredViews& views, int width, int height);
+                const TableSizes& tables, const MeasuredViews& views, int width, int height);
 
     void texels(int level, int y, int x0, int count, MomentRow row) override;
 
@@ -66,13 +66,16 @@ private:
     };
     struct Model {
         ModelRecord record;
-        std::vector<int> nodes; ///< of a table of visibility
-        int harmonics = 0;
+        VisibilityPlan table;         ///< of visibility; without nodes where it has none
+        std::vector<double> cosines;  ///< of its nodes
+        std::vector<int> planes = {}; ///< the first one of each of its components
     };
     /// What the models need of one texel.
     struct Texel;
 
-    void add_tables(const VisibilityPlan& table);
+    void add_table(const VisibilityPlan& measured, int first_plane, const std::vector<int>& nodes,
+                   int harmonics);
+    void add_tables(const VisibilityPlan& measured, int first_plane);
     [[nodiscard]] bool is_picked(int level, int x, int y) const;
     [[nodiscard]] Rgb shown(const Model& model, const Texel& texel, double lambda,
                             const MeasuredView& view) const;
@@ -88,8 +91,6 @@ private:
     MomentLayout layout_;
     ValueScale scale_;
     const MapTable* map_;
-    VisibilityPlan table_;
-    std::vector<double> cosines_; ///< of the table's nodes
     MeasuredViews views_;
     std::vector<Model> models_;
     std::vector<double> picked_;            ///< share of the texels of a level

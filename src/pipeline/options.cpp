@@ -117,6 +117,10 @@ void expect_sensible(const BakeOptions& options)
     if (table.azimuths <= 2 * table.harmonics || table.azimuths > kMaxAzimuths)
         throw Error(fmt::format("--azimuths {}: must be {} (more than twice the harmonics) to {}",
                                 table.azimuths, 2 * table.harmonics + 1, kMaxAzimuths));
+    if (table.axes && table.azimuths < 5)
+        throw Error(fmt::format("--azimuths {}: must be 5 or more for --axes", table.azimuths));
+    if (options.axis_deg && !std::isfinite(*options.axis_deg))
+        throw Error("--axes: must be auto, or an angle in degrees");
     if (options.layout == Layout::bumpslopes && options.visibility)
         throw Error("--visibility goes with --layout scree; bumpslopes holds no colors");
     expect_map_of(options.visibility, Visibility::tables, Map::visible, options.maps);

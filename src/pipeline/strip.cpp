@@ -205,11 +205,9 @@ void TexelMoments::fill_mapped_colors(const double* heights, int count, MomentRo
 void TexelMoments::fill_seen(const VisibleBand& seen, int y, int x0, int count, MomentRow out) const
 {
     const double* weight = out.plane(MomentLayout::weight);
-    for (int i = 0; i < layout_.visible_components + layout_.view_count; ++i) {
-        const float* excess = seen.row(i, y) + x0;
-        const int view = i - layout_.visible_components;
-        const int first = view < 0 ? layout_.visible + MomentLayout::kVisiblePlanes * i
-                                   : layout_.views + MomentLayout::kVisiblePlanes * view;
+    int component = 0;
+    auto fill = [&](int first) {
+        const float* excess = seen.row(component++, y) + x0;
         double* area = out.plane(first);
         for (int x = 0; x < count; ++x)
             area[x] = weight[x] > 0 ? static_cast<double>(excess[x]) : 0;
@@ -219,7 +217,12 @@ void TexelMoments::fill_seen(const VisibleBand& seen, int y, int x0, int count, 
             for (int x = 0; x < count; ++x)
                 product[x] = area[x] * color[x];
         }
-    }
+    };
+    for (const auto& [first, components] : {std::pair{layout_.visible, layout_.visible_components},
+                                            std::pair{layout_.tried, layout_.tried_components},
+                                            std::pair{layout_.views, layout_.view_count}})
+        for (int i = 0; i < components; ++i)
+            fill(first + MomentLayout::kVisiblePlanes * i);
 }
 
 } // namespace scree

@@ -134,6 +134,7 @@ void require_moments(Map map, const TableSizes& tables, MomentSet& set)
         set.color = true;
         set.visible_nodes = static_cast<int>(tables.visibility.node_angles_deg.size());
         set.visible_terms = tables.visibility.terms();
+        set.tried = tables.tried.components();
         break;
     case Map::tail:
         set.slope = set.tail = true;

@@ -7,7 +7,7 @@
 #include "stats/ranks.h"
 #include "texset/channels.h"
 #include "texset/manifest.h"
-#include "visibility/view_components.h"
+#include "visibility/visibility_plan.h"
 
 namespace scree {
 
@@ -21,7 +21,8 @@ struct ValueScale {
 /// Sizes of the tables that come in several.
 struct TableSizes {
     int rank_terms = kDefaultRankTerms; ///< 1 to kMaxRankTerms
-    VisibilityPlan visibility;
+    VisibilityPlan visibility = {};     ///< of Map::visible
+    VisibilityPlan tried = {};          ///< another, to choose from
 };
 
 /// The channels of a map for a run of texels, as the file stores them.

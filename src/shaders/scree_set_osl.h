@@ -199,27 +199,69 @@ color scree_slope_color(string folder, string name, float s, float t, float heig
     return result;
 }
 
+// Adds a term's numbers of NAME.visible.exr, times a weight, to a and beta.
+//
+// z       cosine of the angle that nodes are looked up with
+// cosine  of the nodes, `nodes` of them
+// terms   of a node
+void scree_add_term(string file, float s, float t, float z, float cosine[6], int nodes, int term,
+                    int terms, float weight, output float a, output color beta)
+{
+    int outer = 0;
+    float z_inner = 1;
+    while (outer + 1 < nodes && z < cosine[outer]) {
+        z_inner = cosine[outer];
+        ++outer;
+    }
+    float share = scree_node_share(z, z_inner, cosine[outer]);
+    int first = 4 * (terms * outer + term);
+    float red = 0;
+    color abg = scree_lookup(file, s, t, first, red);
+    a += weight * share * abg[0];
+    beta += weight * share * color(red, abg[2], abg[1]);
+    if (outer > 0) { // before the first node is straight above, where both are 0
+        float rest = weight * (1 - share);
+        abg = scree_lookup(file, s, t, first - 4 * terms, red);
+        a += rest * abg[0];
+        beta += rest * color(red, abg[2], abg[1]);
+    }
+}
+
 // beta of NAME.visible.exr, E[c (v - 1)], and a = v - 1, of a direction w in the frame of the set:
 // to the viewer or to a light. The file's channels follow each other as A B G R of the first node's
-// mean over the azimuth, of its harmonics c1 [c2] s1 [s2], of the second node, and so on.
+// mean over the azimuth, of its harmonics c1 [c2] s1 [s2], of the second node, and so on; along
+// axes of all sides, xn, xp, yn, yp.
 color scree_visibility(string folder, string name, float s, float t, vector w, output float a)
 {
     string file = scree_file(folder, name, "visible");
-    string cosine[6] = {"scree:nodeCosine1", "scree:nodeCosine2", "scree:nodeCosine3",
-                        "scree:nodeCosine4", "scree:nodeCosine5", "scree:nodeCosine6"};
-    int nodes = 0, harmonics = 0, outer = 0;
-    float z_inner = 1, z_outer = 0;
-    if (!gettextureinfo(file, "scree:nodes", nodes) ||
-        !gettextureinfo(file, "scree:harmonics", harmonics) ||
-        !gettextureinfo(file, cosine[0], z_outer))
+    string names[6] = {"scree:nodeCosine1", "scree:nodeCosine2", "scree:nodeCosine3",
+                       "scree:nodeCosine4", "scree:nodeCosine5", "scree:nodeCosine6"};
+    int nodes = 0, harmonics = 0;
+    float cosine[6] = {0, 0, 0, 0, 0, 0};
+    float axis_cosine = 1, axis_sine = 0;
+    a = 0;
+    color beta = 0;
+    int along_axes = gettextureinfo(file, "scree:axisCosine", axis_cosine) &&
+                     gettextureinfo(file, "scree:axisSine", axis_sine);
+    if (!gettextureinfo(file, "scree:nodes", nodes) || !gettextureinfo(file, names[0], cosine[0]) ||
+        !(along_axes || gettextureinfo(file, "scree:harmonics", harmonics))) {
         error("%s: no visibility tables; bake the set with this map, or mend folder and name",
               file);
-    while (outer + 1 < min(nodes, 6) && w[2] < z_outer) {
-        ++outer;
-        z_inner = z_outer;
-        gettextureinfo(file, cosine[outer], z_outer);
+        return beta;
     }
-    float share = scree_node_share(w[2], z_inner, z_outer);
+    nodes = min(nodes, 6);
+    for (int i = 1; i < nodes; ++i)
+        gettextureinfo(file, names[i], cosine[i]);
+    if (along_axes) {
+        float x = w[0] * axis_cosine + w[1] * axis_sine;
+        float y = w[1] * axis_cosine - w[0] * axis_sine;
+        scree_add_term(file, s, t, w[2], cosine, nodes, 0, 5, 1, a, beta);
+        scree_add_term(file, s, t, scree_axis_cosine(x, w[2]), cosine, nodes, x < 0 ? 1 : 2, 5, 1,
+                       a, beta);
+        scree_add_term(file, s, t, scree_axis_cosine(y, w[2]), cosine, nodes, y < 0 ? 3 : 4, 5, 1,
+                       a, beta);
+        return beta;
+    }
     float c1 = 0, c2 = 0, s1 = 0, s2 = 0;
     scree_azimuth_harmonics(w[0], w[1], c1, c2, s1, s2);
     float azimuth[5] = {1, c1, s1, 0, 0};
@@ -228,23 +270,9 @@ color scree_visibility(string folder, string name, float s, float t, vector w, o
         azimuth[3] = s1;
         azimuth[4] = s2;
     }
-    int components = 1 + 2 * harmonics;
-    a = 0;
-    color beta = 0;
-    for (int j = 0; j < components; ++j) {
-        int first = 4 * (components * outer + j);
-        float red = 0;
-        color abg = scree_lookup(file, s, t, first, red);
-        float weight = azimuth[j] * share;
-        a += weight * abg[0];
-        beta += weight * color(red, abg[2], abg[1]);
-        if (outer > 0) { // before the first node is straight above, where both are 0
-            abg = scree_lookup(file, s, t, first - 4 * components, red);
-            weight = azimuth[j] * (1 - share);
-            a += weight * abg[0];
-            beta += weight * color(red, abg[2], abg[1]);
-        }
-    }
+    int terms = 1 + 2 * harmonics;
+    for (int j = 0; j < terms; ++j)
+        scree_add_term(file, s, t, w[2], cosine, nodes, j, terms, azimuth[j], a, beta);
     return beta;
 }
 

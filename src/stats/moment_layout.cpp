@@ -73,6 +73,11 @@ MomentLayout::MomentLayout(const MomentSet& set)
         visible = planes;
         planes += kVisiblePlanes * visible_components;
     }
+    if (set.tried > 0 && set.color) {
+        tried_components = set.tried;
+        tried = planes;
+        planes += kVisiblePlanes * tried_components;
+    }
     if (set.views > 0 && set.color) {
         view_count = set.views;
         views = planes;

@@ -15,7 +15,8 @@ struct MomentSet {
     bool color_slope = false;  ///< variance of color, its covariance with the slope (needs both)
     int rank_terms = 0;        ///< coefficients of the color by height rank (needs color, height)
     int visible_nodes = 0;     ///< of a table of visibility (needs color)
-    int visible_terms = 1;     ///< of its series in the azimuth, the mean first
+    int visible_terms = 1;     ///< of a node, the one from all sides first
+    int tried = 0;             ///< components of another table, to choose from (needs color)
     int views = 0;             ///< single views (needs color)
 };
 
@@ -55,10 +56,12 @@ struct MomentLayout {
     int rank_terms = 0; ///< how many of them
 
     /// Of each component of a table of visibility E[v], E[B v], E[G v], E[R v] with v what it sees
-    /// more than the mean (visibility/view_components.h), consecutive; of single views likewise.
-    int visible = -1, views = -1;
+    /// more than the mean (visibility/view_components.h), consecutive; of the table tried and of
+    /// single views likewise.
+    int visible = -1, tried = -1, views = -1;
     int visible_components = 0; ///< nodes times terms, node by node
     int visible_terms = 1;
+    int tried_components = 0;
     int view_count = 0;
     static constexpr int kVisiblePlanes = 4; ///< of a component, of a view
 

@@ -96,6 +96,7 @@ void Reduction::row(const MomentRow* fine_rows, const Share& rows, int x0, int x
         merge(layout_, parts, part_count, coarse.from(begin), count);
     }
     for (const auto& [first, count] : {std::pair{layout_.visible, layout_.visible_components},
+                                       std::pair{layout_.tried, layout_.tried_components},
                                        std::pair{layout_.views, layout_.view_count}})
         mean_planes(first, MomentLayout::kVisiblePlanes * count, fine_rows, rows, columns_.data(),
                     x0, x1, coarse);

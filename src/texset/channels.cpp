@@ -35,7 +35,8 @@ const std::vector<MapInfo>& map_table()
          "color by height rank q in the footprint: a_n = (2n+1) E[c P_n(2q-1)], per color channel"},
         {Map::visible, "visible", visible_channels(kDefaultNodes, 0),
          "what views see, over cos theta, more than the mean: A = E[V W] / cos theta - 1, and per "
-         "color channel E[c V W] / cos theta - E[c]; at each node, by harmonics of the azimuth"},
+         "color channel E[c V W] / cos theta - E[c]; at each node, by harmonics of the azimuth "
+         "or along two axes"},
         {Map::map,
          "map",
          {"R", "G", "B"},
@@ -59,18 +60,33 @@ std::vector<std::string> rank_channels(int terms)
     return names;
 }
 
-std::vector<std::string> visible_channels(int nodes, int harmonics)
+namespace {
+
+/// Four channels of every term of every node.
+std::vector<std::string> channels_of_nodes(int nodes, const std::vector<std::string>& terms)
 {
-    std::vector<std::string> terms = {""};
-    for (const char* wave : {"c", "s"})
-        for (int h = 1; h <= harmonics; ++h)
-            terms.push_back(wave + std::to_string(h));
     std::vector<std::string> names;
     for (int node = 1; node <= nodes; ++node)
         for (const std::string& term : terms)
             for (const char* channel : {"A", "B", "G", "R"})
                 names.push_back(std::to_string(node) + term + channel);
     return names;
+}
+
+} // namespace
+
+std::vector<std::string> visible_channels(int nodes, int harmonics)
+{
+    std::vector<std::string> terms = {""};
+    for (const char* wave : {"c", "s"})
+        for (int h = 1; h <= harmonics; ++h)
+            terms.push_back(wave + std::to_string(h));
+    return channels_of_nodes(nodes, terms);
+}
+
+std::vector<std::string> visible_channels_along_axes(int nodes)
+{
+    return channels_of_nodes(nodes, {"", "xn", "xp", "yn", "yp"});
 }
 
 const MapInfo& map_info(Map map)

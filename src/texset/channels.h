@@ -56,6 +56,10 @@ constexpr int kMostVisibleChannels = 4 * 6 * (1 + 2 * 2);
 /// harmonics  0 to 2
 std::vector<std::string> visible_channels(int nodes, int harmonics);
 
+/// The same of one along two axes: 1A 1B 1G 1R of what is alike from all sides, 1xnA ... against
+/// the first axis, 1xpA ... along it, 1ynA ... and 1ypA ... of the second; then 2A ...
+std::vector<std::string> visible_channels_along_axes(int nodes);
+
 /// The texture of that name.
 /// Throws Error naming the known ones when there is none. `bumpslopes` and `coverage` are not
 /// names a user gives: a layout and the inputs decide on them.

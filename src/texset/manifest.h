@@ -124,6 +124,7 @@ struct VisibilityRecord {
     std::vector<double> node_angles_deg; ///< from the normal, rising
     int harmonics = 0;                   ///< of the azimuth, 0 to 2
     int azimuths = 0;                    ///< that were swept
+    std::optional<double> axis_deg;      ///< along axes instead: the first, from +s towards +t
 };
 
 /// What was baked, from what, with which options: NAME.scree.json.

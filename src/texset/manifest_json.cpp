@@ -107,8 +107,10 @@ VisibilityRecord visibility_from_json(const JsonObject& json)
 {
     VisibilityRecord visibility;
     json.get("node_angles_deg", visibility.node_angles_deg);
-    json.get("harmonics", visibility.harmonics);
     json.get("azimuths", visibility.azimuths);
+    json.get_if_there("axis_deg", visibility.axis_deg);
+    if (!visibility.axis_deg)
+        json.get("harmonics", visibility.harmonics);
     return visibility;
 }
 

@@ -80,9 +80,13 @@ Json choice_to_json(const ModelChoice& choice)
 
 Json visibility_to_json(const VisibilityRecord& visibility)
 {
-    return {{"node_angles_deg", visibility.node_angles_deg},
-            {"harmonics", visibility.harmonics},
-            {"azimuths", visibility.azimuths}};
+    Json json = {{"node_angles_deg", visibility.node_angles_deg},
+                 {"azimuths", visibility.azimuths}};
+    if (visibility.axis_deg)
+        json["axis_deg"] = *visibility.axis_deg;
+    else
+        json["harmonics"] = visibility.harmonics;
+    return json;
 }
 
 Json fit_to_json(const ColorFit& fit)

@@ -18,43 +18,83 @@ constexpr double kRadian = kPi / 180;
         sum[i] += factor * (visible[i] - 1);
 }
 
-} // namespace
-
-std::vector<double> best_node_angles(int nodes)
+/// Turns sums into a table.
+///
+/// matrix  count x count, row by row
+/// planes  count of them, `texels` numbers each
+[[gnu::target_clones("avx2", "default")]] void solve(const float* matrix, int count, size_t texels,
+                                                     float* const* planes)
 {
-    static const std::vector<double> kAngles[kMaxNodes] = {{80},
-                                                           {68, 84},
-                                                           {55, 74, 84},
-                                                           {55, 74, 84, 87},
-                                                           {55, 74, 80, 84, 87},
-                                                           {50, 64, 74, 80, 84, 87}};
-    return kAngles[std::clamp(nodes, 1, kMaxNodes) - 1];
-}
-
-ViewComponents::ViewComponents(const VisibilityPlan& table, const std::vector<ViewAngles>& views)
-{
-    const int terms = table.terms();
-    for (int j = 0; j < table.azimuths && terms > 0; ++j) {
-        const double azimuth_deg = (j + 0.25) * 360 / table.azimuths;
-        for (size_t node = 0; node < table.node_angles_deg.size(); ++node) {
-            Sweep& sweep = sweep_at(azimuth_deg);
-            const int elevation = elevation_of(sweep, table.node_angles_deg[node]);
-            const int first = static_cast<int>(node) * terms;
-            sweep.terms.push_back({elevation, first, 1.0F / static_cast<float>(table.azimuths)});
-            for (int h = 1; h <= table.harmonics; ++h) {
-                const double phase = h * azimuth_deg * kRadian, share = 2.0 / table.azimuths;
-                sweep.terms.push_back(
-                    {elevation, first + h, static_cast<float>(share * std::cos(phase))});
-                sweep.terms.push_back({elevation, first + table.harmonics + h,
-                                       static_cast<float>(share * std::sin(phase))});
+    constexpr size_t kRun = 64;
+    std::vector<float> sums(static_cast<size_t>(count) * kRun);
+    for (size_t first = 0; first < texels; first += kRun) {
+        const size_t run = std::min(kRun, texels - first);
+        for (int i = 0; i < count; ++i)
+            std::copy_n(planes[i] + first, run, sums.data() + static_cast<size_t>(i) * kRun);
+        for (int i = 0; i < count; ++i) {
+            float* solved = planes[i] + first;
+            std::fill_n(solved, run, 0.0F);
+            for (int j = 0; j < count; ++j) {
+                const float factor = matrix[i * count + j];
+                const float* sum = sums.data() + static_cast<size_t>(j) * kRun;
+                for (size_t k = 0; k < run; ++k)
+                    solved[k] += factor * sum[k];
             }
         }
     }
-    count_ = table.components();
-    for (const ViewAngles& view : views) {
-        Sweep& sweep = sweep_at(view.azimuth_deg);
-        sweep.terms.push_back({elevation_of(sweep, view.angle_deg), count_++, 1});
+}
+
+} // namespace
+
+ViewComponents::ViewComponents(const std::vector<VisibilityPlan>& tables,
+                               const std::vector<ViewAngles>& views)
+{
+    for (const VisibilityPlan& table : tables) {
+        if (table.node_angles_deg.empty())
+            continue;
+        if (table.axes)
+            add_axes(table);
+        else
+            add_harmonics(table);
+        count_ += table.components();
     }
+    for (const ViewAngles& view : views)
+        add(view, count_++, 1);
+}
+
+void ViewComponents::add_harmonics(const VisibilityPlan& table)
+{
+    const double share = 1.0 / table.azimuths;
+    for (int j = 0; j < table.azimuths; ++j)
+        for (size_t node = 0; node < table.node_angles_deg.size(); ++node) {
+            const ViewAngles view{table.node_angles_deg[node], swept_azimuth_deg(table, j)};
+            const int first = count_ + static_cast<int>(node) * table.terms();
+            add(view, first, share);
+            for (int h = 1; h <= table.harmonics; ++h) {
+                const double phase = h * view.azimuth_deg * kRadian;
+                add(view, first + h, 2 * share * std::cos(phase));
+                add(view, first + table.harmonics + h, 2 * share * std::sin(phase));
+            }
+        }
+}
+
+void ViewComponents::add_axes(const VisibilityPlan& table)
+{
+    const AxesFit fit(table);
+    for (int j = 0; j < table.azimuths; ++j)
+        for (const double angle_deg : fit.angles_deg()) {
+            const ViewAngles view{angle_deg, swept_azimuth_deg(table, j)};
+            for (const TableShare& share : fit.shares(view))
+                add(view, count_ + share.component, share.weight);
+        }
+    solves_.push_back({count_, table.components(), fit.inverse()});
+}
+
+void ViewComponents::add(const ViewAngles& view, int component, double factor)
+{
+    Sweep& sweep = sweep_at(view.azimuth_deg);
+    sweep.terms.push_back(
+        {elevation_of(sweep, view.angle_deg), component, static_cast<float>(factor)});
 }
 
 ViewComponents::Sweep& ViewComponents::sweep_at(double azimuth_deg)
@@ -97,6 +137,8 @@ void ViewComponents::see(const HeightGrid& heights, const TexelBlock& block,
             add_excess(planes[static_cast<size_t>(term.elevation)], term.factor, texels,
                        excess[term.component]);
     }
+    for (const Solve& of : solves_)
+        solve(of.matrix.data(), of.count, texels, excess + of.first);
 }
 
 } // namespace scree

@@ -69,6 +69,7 @@ struct SetPlan {
     int nodes = kDefaultNodes;
     PixelTypeChoice type = PixelTypeChoice::automatic;
     bool few_footprints = false;
+    bool axes = false; ///< instead of harmonics
 };
 
 JudgedSet bake_and_read(const Asset& asset, const SetPlan& plan)
@@ -78,7 +79,7 @@ JudgedSet bake_and_read(const Asset& asset, const SetPlan& plan)
     options.output = folder.path() / "set";
     options.maps = plan.maps;
     options.pixel_type = plan.type;
-    options.table = {best_node_angles(plan.nodes), kMaxHarmonics, 8};
+    options.table = {best_node_angles(plan.nodes), plan.axes ? 0 : kMaxHarmonics, 8, plan.axes};
     Manifest start;
     start.name = asset.name;
     AssetSource source(asset);
@@ -86,14 +87,20 @@ JudgedSet bake_and_read(const Asset& asset, const SetPlan& plan)
 
     SetReader reader(options.output);
     const Manifest& manifest = reader.manifest();
-    return {colors_of_views(manifest.visibility.value()), pick(reader, plan.few_footprints),
-            rms(manifest.levels.back().mean_color.value())};
+    const VisibilityRecord& table = manifest.visibility.value();
+    return {plan.axes ? std::vector{axes_color(table)} : colors_of_views(table),
+            pick(reader, plan.few_footprints), rms(manifest.levels.back().mean_color.value())};
 }
 
 std::vector<JudgedSet> sets_of_models(const Asset& asset)
 {
     return {bake_and_read(asset, {{Map::slope, Map::tail, Map::height, Map::color, Map::colorheight,
-                                   Map::rank, Map::exponent, Map::visible}})};
+                                   Map::rank, Map::exponent, Map::visible}}),
+            bake_and_read(asset, {{Map::slope, Map::color, Map::visible},
+                                  kDefaultNodes,
+                                  PixelTypeChoice::automatic,
+                                  false,
+                                  true})};
 }
 
 /// The mean color, tables of several numbers of nodes, of several pixel types, and ways between
@@ -116,7 +123,7 @@ std::vector<JudgedSet> sets_of_nodes(const Asset& asset)
     add({maps, 4, PixelTypeChoice::half, true}, "4 nodes, half");
     for (const int nodes : {2, 3, 5, 6})
         add({maps, nodes, PixelTypeChoice::float32, true}, fmt::format("{} nodes", nodes));
-    const VisibilityRecord four{best_node_angles(4), kMaxHarmonics, 8};
+    const VisibilityRecord four{best_node_angles(4), kMaxHarmonics, 8, {}};
     std::vector<ColorOfView>& of_four = sets.front().models;
     of_four.push_back(table_color_along(four, "4 nodes, by theta",
                                         [](double cosine) { return std::acos(cosine); }));

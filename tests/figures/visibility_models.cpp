@@ -14,6 +14,7 @@ namespace scree::test {
 namespace {
 
 constexpr int kRankTerms = 4;
+constexpr double kRadian = 0.017453292519943295769;
 
 Vec3f color_of(const SetTexel& texel) { return {texel.color[0], texel.color[1], texel.color[2]}; }
 
@@ -66,7 +67,6 @@ std::vector<float> with_fewer_harmonics(const SetTexel& texel, size_t nodes, siz
 
 std::vector<float> cosines_of(const VisibilityRecord& record)
 {
-    constexpr double kRadian = 0.017453292519943295769;
     std::vector<float> cosines;
     for (const double angle : record.node_angles_deg)
         cosines.push_back(static_cast<float>(std::cos(angle * kRadian)));
@@ -88,6 +88,20 @@ ColorOfView table_color(const VisibilityRecord& record, int harmonics)
                 const filter::VisibilityTable<float> table{
                     values.data(), cosines.data(), static_cast<int>(cosines.size()), harmonics};
                 return rgb(filter::visible_color(color_of(texel), table, w));
+            }};
+}
+
+ColorOfView axes_color(const VisibilityRecord& record)
+{
+    SetColors colors;
+    colors.node_cosines = cosines_of(record);
+    const double axis = record.axis_deg.value() * kRadian;
+    colors.axes = true;
+    colors.axis_s = static_cast<float>(std::cos(axis));
+    colors.axis_t = static_cast<float>(std::sin(axis));
+    return {fmt::format("table {} axes", colors.node_cosines.size()),
+            [colors](const SetTexel& texel, const Vec3f& w) {
+                return visible_color(texel, colors, ColorModel::visible, w);
             }};
 }
 

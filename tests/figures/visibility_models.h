@@ -19,13 +19,16 @@ struct ColorOfView {
 /// The mean color, Smith's exponent (linear in height; rank table of 4 terms), the exponent that
 /// was fitted, and the tables of visibility with as many harmonics as there are, and fewer.
 ///
-/// record  how the texels' tables are laid out
+/// record  how the texels' tables are laid out, by harmonics
 std::vector<ColorOfView> colors_of_views(const VisibilityRecord& record);
 
 /// The table of visibility read with `harmonics` of those it has.
 ColorOfView table_color(const VisibilityRecord& record, int harmonics);
 
-/// The same, all harmonics, between its nodes linear in another coordinate than the kernel's.
+/// A table along axes.
+ColorOfView axes_color(const VisibilityRecord& record);
+
+/// As table_color(), all harmonics, between its nodes linear in another coordinate than the kernel's.
 ///
 /// coordinate  of the cosine of the angle from the normal, in (0, 1]; strictly falling
 ColorOfView table_color_along(const VisibilityRecord& record, const std::string& name,

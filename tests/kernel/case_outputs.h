@@ -16,7 +16,7 @@ SCREE_FUNCTION void case_outputs(
     OUT(Real, along), OUT(Real, steepness), OUT(Real, steepness_spread), OUT(Real, coordinate),
     OUT(Real, share), OUT(Real, cos1), OUT(Real, cos2), OUT(Real, sin1), OUT(Real, sin2),
     OUT(Real, visible_area), OUT(Real, by_visibility), OUT(Real, overlap), OUT(Real, seen_and_lit),
-    OUT(Real, raw_lambda), OUT(Real, measured))
+    OUT(Real, raw_lambda), OUT(Real, measured), OUT(Real, axis_cosine))
 {
     scree_covariance(raw_s, raw_t, raw_ss, raw_st, raw_tt, css, cst, ctt);
     scree_visible_slopes(wox, woy, woz, s, t, ss, st, tt, tau, area, vs, vt, vss, vst, vtt);
@@ -37,6 +37,7 @@ SCREE_FUNCTION void case_outputs(
 
     coordinate = scree_node_coordinate(woz);
     share = scree_node_share(woz, node_near, node_far);
+    axis_cosine = scree_axis_cosine(wox, woz);
     scree_azimuth_harmonics(wox, woy, cos1, cos2, sin1, sin2);
     visible_area = scree_visible_area(woz, a);
     by_visibility = scree_color_by_visibility(table_c, beta, a);

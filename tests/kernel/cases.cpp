@@ -261,7 +261,8 @@ const char* output_name(int output)
                                                 "overlap of view and light",
                                                 "color seen and lit",
                                                 "Lambda of raw moments",
-                                                "measured exponent"};
+                                                "measured exponent",
+                                                "cosine along an axis"};
     return names[output];
 }
 

@@ -97,6 +97,7 @@ enum Output : int {
     kSeenAndLit,
     kRawLambda,
     kMeasured,
+    kAxisCosine,
     kOutputs
 };
 

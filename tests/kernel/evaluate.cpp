@@ -22,8 +22,8 @@ Outputs<Real> evaluate(const KernelCase& row)
         in(34), in(35), in(36), in(37), in(38), in(39), in(40), in(41), in(42), in(43), o[0], o[1],
         o[2], o[3], o[4], o[5], o[6], o[7], o[8], o[9], o[10], o[11], o[12], o[13], o[14], o[15],
         o[16], o[17], o[18], o[19], o[20], o[21], o[22], o[23], o[24], o[25], o[26], o[27], o[28],
-        o[29], o[30], o[31], o[32], o[33], o[34], o[35], o[36], o[37], o[38]);
-    static_assert(kInputs == 44 && kOutputs == 39);
+        o[29], o[30], o[31], o[32], o[33], o[34], o[35], o[36], o[37], o[38], o[39]);
+    static_assert(kInputs == 44 && kOutputs == 40);
     return o;
 }
 

@@ -259,6 +259,10 @@ void set_table_outputs(const KernelCase& row, Set&& set)
         set(kSin1, sin(phi)), set(kSin2, sin(2 * phi));
     }
 
+    const Real along = in[kWox];
+    set(kAxisCosine, cosine <= 0  ? Real(0)
+                     : along == 0 ? Real(1)
+                                  : Real(cos(atan(abs(along) / cosine))));
     const Real c = in[kTableC], beta = in[kBeta], v = 1 + Real(in[kA]), d = Real(1) / 4;
     set(kVisibleArea, v > 0 && cosine > 0 ? Real(v * cosine) : Real(0));
     const Real of_seen = c + beta; // E[c v]

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -162,6 +163,83 @@ TYPED_TEST(VisibilityTables, AreSumsOfHarmonicsInterpolatedInTheTangent)
                                             << " harmonics, theta " << theta << " phi " << phi;
             }
     EXPECT_GT(most, 0.3);
+    this->RecordProperty("worst", testing::PrintToString(worst));
+}
+
+/// A table along axes, by the meaning of its numbers: functions of a tangent, their values at the
+/// nodes.
+struct AxesTable {
+    struct Function {
+        std::vector<double> of_a; ///< a node each
+        double at(const std::vector<double>& tangents, double x) const
+        {
+            double before = 0, from = 0;
+            for (size_t k = 0; k < tangents.size(); ++k) {
+                if (x <= tangents[k])
+                    return from + (of_a[k] - from) * (x - before) / (tangents[k] - before);
+                before = tangents[k];
+                from = of_a[k];
+            }
+            return from;
+        }
+    };
+    Function all, x_negative, x_positive, y_negative, y_positive;
+};
+
+// Of a alone; that beta is read alike is what harmonics are tested for. Tolerance: the cosine of a
+// small tangent x is off by a rounding, and so x by that over x, at most by its root.
+TYPED_TEST(VisibilityTables, AlongAxesAreSumsOfFunctionsOfTheTangentsAlongThem)
+{
+    using Real = TypeParam;
+    const double rounding = std::numeric_limits<Real>::epsilon();
+    const auto off_by = [rounding](double x) {
+        return rounding / std::max(x, std::sqrt(rounding));
+    };
+    Random random;
+    double worst = 0;
+    for (int nodes = 1; nodes <= 6; ++nodes)
+        for (int i = 0; i < 300; ++i) {
+            const double turn = random.uniform(-kPi, kPi);
+            std::vector<double> tangents;
+            std::vector<Real> values, cosines;
+            AxesTable table;
+            for (int k = 0; k < nodes; ++k) {
+                const double theta = degrees(88.0 * (k + random.uniform(0.25, 1)) / nodes);
+                tangents.push_back(std::tan(theta));
+                cosines.push_back(static_cast<Real>(std::cos(theta)));
+                for (auto* function : {&table.all, &table.x_negative, &table.x_positive,
+                                       &table.y_negative, &table.y_positive}) {
+                    function->of_a.push_back(random.uniform(-0.4, 0.4));
+                    values.push_back(static_cast<Real>(function->of_a.back()));
+                    values.insert(values.end(), 3, Real(0));
+                }
+            }
+            const filter::VisibilityTable<Real> packed{values.data(),
+                                                       cosines.data(),
+                                                       nodes,
+                                                       0,
+                                                       true,
+                                                       static_cast<Real>(std::cos(turn)),
+                                                       static_cast<Real>(std::sin(turn))};
+            const double theta = degrees(random.uniform(1, 89.2));
+            const double phi = random.uniform(-kPi, kPi);
+            const double x = std::tan(theta) * std::cos(phi - turn);
+            const double y = std::tan(theta) * std::sin(phi - turn);
+            const double want =
+                table.all.at(tangents, std::tan(theta)) +
+                (x < 0 ? table.x_negative : table.x_positive).at(tangents, std::abs(x)) +
+                (y < 0 ? table.y_negative : table.y_positive).at(tangents, std::abs(y));
+            const auto got = filter::visibility(packed, Imath::Vec3<Real>(toward(theta, phi)));
+            double closest = tangents.front();
+            for (size_t k = 1; k < tangents.size(); ++k)
+                closest = std::min(closest, tangents[k] - tangents[k - 1]);
+            const double roundings = off_by(std::abs(x)) + off_by(std::abs(y)) +
+                                     off_by(std::tan(theta)) + 30 * rounding * std::tan(theta);
+            worst = std::max(worst, std::abs(static_cast<double>(got.a) - want));
+            ASSERT_NEAR(static_cast<double>(got.a), want,
+                        2 * roundings * 0.8 / closest + 30 * rounding)
+                << nodes << " nodes, theta " << theta << " phi " << phi << " turn " << turn;
+        }
     this->RecordProperty("worst", testing::PrintToString(worst));
 }
 

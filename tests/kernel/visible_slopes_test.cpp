@@ -304,6 +304,7 @@ const Tolerance kTolerances[] = {
     {kSteepnessSpread, 2e-7, 4e-16},
     {kNodeCoordinate, 3e-7, 6e-16}, // relative
     {kNodeShare, 4e-7, 8e-16},      // of 1: rounding of coordinates up to 100, 80 apart
+    {kAxisCosine, 3e-7, 6e-16},     // relative
     {kCos1, 2e-7, 4e-16},           // relative
     {kCos2, 4e-7, 8e-16},
     {kSin1, 2e-7, 4e-16},

@@ -62,6 +62,7 @@ protected:
                           std::vector<float>{set.tables.cosines[k]});
         context().set(program, "nodes.count", static_cast<int>(set.tables.cosines.size()));
         context().set(program, "nodes.harmonics", set.tables.harmonics);
+        context().set(program, "nodes.axis", {set.tables.axis_cosine, set.tables.axis_sine});
         return program;
     }
 
@@ -105,7 +106,7 @@ TEST_P(GlslVisibility, OfALevelIsThatOfTheCppFront)
 {
     double worst = 0;
     for (const auto& cosines : kCosines)
-        for (int harmonics = 0; harmonics <= 2; ++harmonics) {
+        for (int harmonics = -1; harmonics <= 2; ++harmonics) { // -1: along axes
             const Uploaded set(context(), 19, 12, cosines, harmonics);
             const GLuint program = make_program(set);
             for (const V3f& view : {V3f(0, 0, 1), V3f(0.5F, 0.6F, 0.7F), V3f(0.3F, -0.8F, 0.5F),
@@ -122,7 +123,7 @@ TEST_P(GlslVisibility, ByTheHardwaresChoiceOfLevelIsThatOfTheCppFront)
 {
     double worst = 0;
     const size_t level = 1;
-    for (int harmonics = 0; harmonics <= 2; ++harmonics) {
+    for (int harmonics = -1; harmonics <= 2; ++harmonics) {
         const Uploaded set(context(), 32, 24, kCosines[2], harmonics);
         for (const GLuint texture : {set.color_texture, set.visible_texture})
             context().show_level(texture, level);

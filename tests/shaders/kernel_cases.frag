@@ -1,4 +1,4 @@
-// One row of the table of cases in each row of the target: the 39 numbers of case_outputs() in
+// One row of the table of cases in each row of the target: the 40 numbers of case_outputs() in
 // ten texels. Behind prelude_glsl.h, scree_filter.h and case_outputs.h.
 
 uniform highp sampler2D inputs; // the 44 numbers of a case in eleven texels
@@ -21,8 +21,7 @@ void main()
                  i[37], i[38], i[39], i[40], i[41], i[42], i[43], o[0], o[1], o[2], o[3], o[4], o[5], o[6], o[7], o[8], o[9],
                  o[10], o[11], o[12], o[13], o[14], o[15], o[16], o[17], o[18], o[19], o[20], o[21],
                  o[22], o[23], o[24], o[25], o[26], o[27], o[28], o[29], o[30], o[31], o[32], o[33],
-                 o[34], o[35], o[36], o[37], o[38]);
-    o[39] = 0.0;
+                 o[34], o[35], o[36], o[37], o[38], o[39]);
     int first = 4 * int(gl_FragCoord.x);
     result = vec4(o[first], o[first + 1], o[first + 2], o[first + 3]);
 }

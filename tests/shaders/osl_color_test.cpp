@@ -101,13 +101,14 @@ TEST_F(OslColor, OfAColorMapIsThatOfTheCppFront)
     }
 }
 
-// Tables for two nodes, for five, one harmonic and two, without and with a light.
+// Tables along axes, and without harmonics, with one and two; without and with a light.
 TEST_F(OslColor, ByVisibilityTablesIsThatOfTheCppFront)
 {
     compile("src/shaders/scree_raw.osl");
     bake_sample_into(temp_ / "set", "bricks", kSize, kSize);
-    const std::vector<float> cosines[] = {{0.45F}, {0.8F, 0.3F}, {0.9F, 0.75F, 0.5F, 0.3F, 0.15F}};
-    int harmonics = 0;
+    const std::vector<float> cosines[] = {
+        {0.9F, 0.4F, 0.2F}, {0.45F}, {0.8F, 0.3F}, {0.9F, 0.75F, 0.5F, 0.3F, 0.15F}};
+    int harmonics = -1; // along axes
     for (const auto& nodes : cosines) {
         write_visible_tables(temp_ / "set/test.visible.exr",
                              random_visible_tables(kSize, kSize, nodes, harmonics));

@@ -29,7 +29,7 @@ TEST_F(Osl, KernelAgreesWithCppOnTheWholeTable)
 
     std::vector<std::string> arguments = {"-g",      "1",    std::to_string(cases.size()),
                                           "--param", "file", "cases.exr"};
-    for (int i = 0; i < 13; ++i)
+    for (int i = 0; i < 14; ++i)
         for (const std::string& word :
              {std::string("-o"), "o" + std::to_string(i), "o" + std::to_string(i) + ".exr"})
             arguments.push_back(word);

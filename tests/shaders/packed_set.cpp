@@ -57,18 +57,14 @@ PackedSet pack(const SampleSet& set)
 std::vector<std::vector<Image>> pack(const VisibleTables& tables)
 {
     std::vector<std::vector<Image>> out(tables.levels.size());
-    for (int node = 1; node <= static_cast<int>(tables.cosines.size()); ++node) {
-        std::vector<std::string> components = {std::to_string(node)};
-        for (const char kind : {'c', 's'})
-            for (int h = 1; h <= tables.harmonics; ++h)
-                components.push_back(components[0] + kind + std::to_string(h));
-        for (const std::string& component : components) {
-            const auto layers = packed(
-                {From{&tables.levels, component + "R"}, From{&tables.levels, component + "G"},
-                 From{&tables.levels, component + "B"}, From{&tables.levels, component + "A"}});
-            for (size_t level = 0; level < layers.size(); ++level)
-                out[level].push_back(layers[level]);
-        }
+    const auto channels =
+        visible_channels(static_cast<int>(tables.cosines.size()), tables.harmonics);
+    for (size_t i = 0; i < channels.size(); i += 4) { // A B G R
+        const auto layers =
+            packed({From{&tables.levels, channels[i + 3]}, From{&tables.levels, channels[i + 2]},
+                    From{&tables.levels, channels[i + 1]}, From{&tables.levels, channels[i]}});
+        for (size_t level = 0; level < layers.size(); ++level)
+            out[level].push_back(layers[level]);
     }
     return out;
 }

@@ -25,7 +25,10 @@ std::vector<float> VisibleTables::values(size_t level, int x, int y) const
 
 filter::VisibilityTable<float> VisibleTables::table(const std::vector<float>& values) const
 {
-    return {values.data(), cosines.data(), static_cast<int>(cosines.size()), harmonics};
+    const bool axes = harmonics < 0;
+    return {
+        values.data(), cosines.data(), static_cast<int>(cosines.size()), axes ? 0 : harmonics, axes,
+        axis_cosine,   axis_sine};
 }
 
 std::vector<std::string> visible_channels(int nodes, int harmonics)
@@ -37,6 +40,9 @@ std::vector<std::string> visible_channels(int nodes, int harmonics)
     };
     for (int node = 1; node <= nodes; ++node) {
         add(std::to_string(node));
+        for (const char* kind : {"xn", "xp", "yn", "yp"})
+            if (harmonics < 0)
+                add(std::to_string(node) + kind);
         for (const char kind : {'c', 's'})
             for (int h = 1; h <= harmonics; ++h)
                 add(fmt::format("{}{}{}", node, kind, h));
@@ -47,7 +53,9 @@ std::vector<std::string> visible_channels(int nodes, int harmonics)
 VisibleTables random_visible_tables(int width, int height, const std::vector<float>& cosines,
                                     int harmonics)
 {
-    VisibleTables tables{cosines, harmonics, {}};
+    VisibleTables tables;
+    tables.cosines = cosines;
+    tables.harmonics = harmonics;
     const auto channels = visible_channels(static_cast<int>(cosines.size()), harmonics);
     for (unsigned seed = 71;; ++seed) {
         Image level = random_image(width, height, channels, seed);
@@ -67,7 +75,12 @@ void write_visible_tables(const std::filesystem::path& file, const VisibleTables
 {
     write_mip_image(file, tables.levels, [&](OIIO::ImageSpec& spec) {
         spec.attribute("scree:nodes", static_cast<int>(tables.cosines.size()));
-        spec.attribute("scree:harmonics", tables.harmonics);
+        if (tables.harmonics < 0) {
+            spec.attribute("scree:axisCosine", tables.axis_cosine);
+            spec.attribute("scree:axisSine", tables.axis_sine);
+        } else {
+            spec.attribute("scree:harmonics", tables.harmonics);
+        }
         for (size_t k = 0; k < tables.cosines.size(); ++k)
             spec.attribute(fmt::format("scree:nodeCosine{}", k + 1), tables.cosines[k]);
     });
@@ -83,6 +96,8 @@ VisibleTables read_visible_tables(const std::filesystem::path& file)
         return tables;
     }
     tables.harmonics = in->spec().get_int_attribute("scree:harmonics", -1);
+    tables.axis_cosine = in->spec().get_float_attribute("scree:axisCosine");
+    tables.axis_sine = in->spec().get_float_attribute("scree:axisSine");
     for (int k = 1; k <= in->spec().get_int_attribute("scree:nodes"); ++k)
         tables.cosines.push_back(
             in->spec().get_float_attribute(fmt::format("scree:nodeCosine{}", k)));

@@ -69,7 +69,7 @@ Manifest full_manifest()
     LevelSummary bare;
     bare.width = bare.height = 49;
     m.levels = {level, bare};
-    m.visibility = {{55, 74.5}, 1, 8};
+    m.visibility = {{55, 74.5}, 1, 8, {}};
     m.options = {{"wrap", "clamp mirror"}, {"texel-size", "0.1 0.333"}};
     m.warnings = {"first", "second"};
     return m;
@@ -371,6 +371,18 @@ TEST(ManifestFile, ANumberThatIsNotOneIsReadAsAbsent)
     m.levels[0].kurtosis = std::numeric_limits<double>::quiet_NaN();
     write_manifest(m, temp.path());
     EXPECT_FALSE(read_manifest(temp.path()).levels[0].kurtosis.has_value());
+}
+
+TEST(Manifest, TablesOfVisibilityHaveHarmonicsOrAxes)
+{
+    TempFolder temp;
+    Manifest m = full_manifest();
+    m.visibility = {{55, 74.5}, 0, 8, -12.5};
+    write_manifest(m, temp.path());
+    const Manifest r = read_manifest(temp.path());
+    ASSERT_TRUE(r.visibility && r.visibility->axis_deg);
+    EXPECT_EQ(*r.visibility->axis_deg, -12.5);
+    EXPECT_EQ(r.visibility->node_angles_deg, m.visibility->node_angles_deg);
 }
 
 } // namespace

@@ -43,7 +43,7 @@ TEST(ViewComponents, OfAPlaneAreItsFirstHarmonicAlone)
     const MemoryHeights grid(shape, heights);
     const VisibilityPlan plan{{45, 80}, 2, 8};
     const ViewAngles view{70, 130};
-    const ViewComponents components(plan, {view});
+    const ViewComponents components({plan}, {view});
     ASSERT_EQ(components.count(), 2 * 5 + 1);
     const auto planes = see(grid, components, {8, 8, 8, 8});
     for (size_t node = 0; node < 2; ++node) {
@@ -78,7 +78,7 @@ TEST(ViewComponents, AreFourierSumsOfSweeps)
     const MemoryHeights grid = rough(40, 32);
     const TexelBlock block{4, 8, 16, 16};
     const VisibilityPlan plan{{65}, 1, 8};
-    const auto planes = see(grid, ViewComponents(plan, {}), block);
+    const auto planes = see(grid, ViewComponents({plan}, {}), block);
     std::vector<double> expected[3] = {std::vector<double>(256), std::vector<double>(256),
                                        std::vector<double>(256)};
     for (int j = 0; j < 8; ++j) {
@@ -101,7 +101,7 @@ TEST(ViewComponents, AreFourierSumsOfSweeps)
 TEST(VisibleBands, HoldWhatTheirBlocksSee)
 {
     const MemoryHeights grid = rough(530, 2 * kBandRows + 9); // more than a block wide
-    const ViewComponents components({{70}, 1, 4}, {{40, 10}});
+    const ViewComponents components({VisibilityPlan{{70}, 1, 4}}, {{40, 10}});
     VisibleBands bands(grid, components);
     for (const int y : {0, kBandRows - 1, kBandRows, 2 * kBandRows + 8}) {
         const auto band = bands.with_row(y);
