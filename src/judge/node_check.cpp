@@ -113,7 +113,7 @@ NodeCheck check_nodes(SetReader& set, const reference::DisplacedSurface& surface
 {
     const VisibilityRecord table = *set.manifest().visibility;
     const std::vector<PickedTexel> picked =
-        pick_texels(set, 0, std::min(plan.footprints, kMostNodeFootprints), plan.seed);
+        pick_texels(set, kFirstSeenLevel, std::min(plan.footprints, kMostNodeFootprints), plan.seed);
     reference::GatherPlan gathering;
     gathering.views = node_views(table);
     gathering.grid = plan.grid;

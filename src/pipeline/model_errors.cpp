@@ -141,7 +141,7 @@ void ModelErrors::add_table(const VisibilityPlan& measured, int first_plane,
                 add(node, wave * measured.harmonics + h);
     }
     const size_t size = nodes.size();
-    model.record.model = measured.axes ? fmt::format("visible {} along axes", size)
+    model.record.model = measured.axes ? fmt::format("visible {} axes", size)
                                        : fmt::format("visible {}x{}", size, model.table.terms());
     model.record.channels = MomentLayout::kVisiblePlanes * model.table.components();
 }

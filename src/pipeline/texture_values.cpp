@@ -78,9 +78,11 @@ void texture_values(Map map, const MomentLayout& layout, int level, MomentRow ro
                 store_values(row.plane(layout.rank + 3 * n + c), count,
                              stored[(2 - c) * layout.rank_terms + n]);
         break;
-    case Map::visible: // A B G R of every component
+    case Map::visible: // A B G R of every component; see kFirstSeenLevel
+        std::fill_n(scratch, count, 0.0);
         for (int i = 0; i < MomentLayout::kVisiblePlanes * layout.visible_components; ++i)
-            store_values(row.plane(layout.visible + i), count, stored[i]);
+            store_values(level < kFirstSeenLevel ? scratch : row.plane(layout.visible + i), count,
+                         stored[i]);
         break;
     case Map::tail:
         for (int i = 0; i < count; ++i)

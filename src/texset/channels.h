@@ -48,6 +48,11 @@ constexpr int kDefaultRankTerms = 4;
 constexpr int kDefaultNodes = 4;
 constexpr int kMostVisibleChannels = 4 * 6 * (1 + 2 * 2);
 
+/// The first level of a table of visibility that holds anything. A texel of level 0 has one color,
+/// which is seen as it is whatever hides it: zeros tell that, and are three quarters of the file that
+/// compress to nothing.
+constexpr int kFirstSeenLevel = 1;
+
 /// Channels of a table of visibility, node by node, as they sort: 1A 1B 1G 1R of the mean over the
 /// azimuth, then, as far as there are harmonics, 1c1A ... of cos phi, 1c2A ... of cos 2 phi,
 /// 1s1A ... of sin phi, 1s2A ... of sin 2 phi; then 2A ...

@@ -12,6 +12,9 @@ namespace {
 constexpr double kDegree = 180 / 3.14159265358979323846;
 constexpr int kMostRows = 1024;
 
+/// Degrees. What is so close to the map's own axes was meant to be on them.
+constexpr double kAlongTheMap = 0.25;
+
 /// Of three differences side by side: chosen so that slopes turn with the map (Scharr 2000).
 constexpr double kWeights[] = {3.0 / 16, 10.0 / 16, 3.0 / 16};
 
@@ -48,7 +51,8 @@ double main_axis_deg(const HeightGrid& heights)
     }
     if (!(std::abs(sum) > kLeastShare * squares))
         return 0;
-    return std::arg(sum) / 4 * kDegree;
+    const double axis = std::arg(sum) / 4 * kDegree;
+    return std::abs(axis) < kAlongTheMap ? 0 : axis;
 }
 
 } // namespace scree

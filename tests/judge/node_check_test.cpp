@@ -76,7 +76,7 @@ TEST(NodeCheck, OnAPlaneTheTablesAreTheReferences)
     for (const NodeErrors& errors : check.all) {
         EXPECT_LT(errors.area.set, 1e-5) << errors.angle_deg;
         EXPECT_LT(errors.color.set, 1e-5) << errors.angle_deg;
-        EXPECT_EQ(errors.footprints, 16 + 16 + 16 + 16 + 4 + 1);
+        EXPECT_EQ(errors.footprints, 16 + 16 + 16 + 4 + 1);
     }
     EXPECT_GT(check.samples, 0);
 }

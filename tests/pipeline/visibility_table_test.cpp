@@ -108,6 +108,20 @@ TEST(VisibilityTable, HoldsWhatTheReferenceSees)
     EXPECT_EQ(m.visibility->node_angles_deg, options.table.node_angles_deg);
 }
 
+// One color a texel: nothing to tell, and three quarters of the file compress to nothing.
+TEST(VisibilityTable, HoldsNothingOfSingleTexels)
+{
+    TempFolder temp;
+    BakeOptions options;
+    options.visibility = Visibility::tables;
+    bake_memory(temp / "set", snowy(), options);
+    const auto levels = read_levels(temp / "set" / "test.visible.exr");
+    for (const float value : levels[0].pixels)
+        ASSERT_EQ(value, 0);
+    for (const float value : levels[1].pixels)
+        ASSERT_NE(value, 0);
+}
+
 TEST(VisibilityTable, OfAWholeMapThatGoesOnSeesAllOfIt)
 {
     TempFolder temp;
@@ -208,7 +222,7 @@ TEST(VisibilityTable, AutoTakesAxesForWalls)
     const Manifest m = bake_memory(temp / "set", walls(), options);
     double axes = -1, harmonics = -1;
     for (const ModelRecord& model : m.model_choice->models) {
-        if (model.model == "visible 4 along axes") {
+        if (model.model == "visible 4 axes") {
             axes = model.error;
             EXPECT_TRUE(model.chosen);
         }
