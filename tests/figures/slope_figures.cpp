@@ -1,0 +1,68 @@
+// Measures the closed forms of visible slopes, what their error does to shading, and what tables of
+// visible slopes would take off it, against the reference renderer.
+//
+//   scree_slope_figures [DATA_FOLDER] > figures.md
+//
+// Without a folder, on the built-in samples alone.
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "figures/slope_report.h"
+#include "figures/visibility_surfaces.h"
+#include "math/error.h"
+
+namespace scree::test {
+namespace {
+
+SurfaceSlopeFigures measure(const Asset& asset, double slope, const SlopeViews& views)
+{
+    const reference::DisplacedSurface surface = white_and_gray(asset);
+    SurfaceSlopeFigures figures{asset.name, slope, {}, {}};
+    const std::vector<SlopesOfSize> sizes = see_slopes(asset, surface, views);
+    for (const SlopesOfSize& size : sizes)
+        figures.sizes.push_back(measure_slopes(size, views, slope));
+    figures.base = measure_base_masking(surface, sizes.back(), views);
+    return figures;
+}
+
+BaseMaskingFigures measure_plane(const SlopeViews& views)
+{
+    const Asset asset = with_heights_scaled(sample_asset("sine", 64), 0);
+    const reference::DisplacedSurface surface = white_and_gray(asset);
+    SlopesOfSize map;
+    map.baked = {filter::Slopes<double>{}};
+    map.places = {reference::footprint_of(asset.relief.width, asset.relief.height, 6, 0, 0)};
+    return measure_base_masking(surface, map, views);
+}
+
+void run(const std::string& data)
+{
+    const SlopeViews views;
+    SurfacesSlopeFigures all;
+    for (const Asset& asset : visibility_surfaces(data)) {
+        const double as_it_is = rms_slope(asset);
+        for (const double slope : {0.1, 0.3, 0.6})
+            all.push_back(measure(with_heights_scaled(asset, slope / as_it_is), slope, views));
+    }
+    print_slope_figures(all, measure_plane(views), views);
+}
+
+} // namespace
+} // namespace scree::test
+
+int main(int argc, char** argv)
+{
+    if (argc > 2) {
+        std::fprintf(stderr, "usage: %s [DATA_FOLDER]\n", argv[0]);
+        return 2;
+    }
+    try {
+        scree::test::run(argc > 1 ? argv[1] : "");
+    } catch (const scree::Error& error) {
+        std::fprintf(stderr, "%s: error: %s\n", argv[0], error.what());
+        return 1;
+    }
+    return 0;
+}
