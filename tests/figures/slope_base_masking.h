@@ -27,8 +27,8 @@ struct BaseMaskingFigures {
 BaseMaskingFigures measure_base_masking(const reference::DisplacedSurface& surface,
                                         const SlopesOfSize& map, const SlopeViews& views);
 
-/// Share of the light that a white rough plane reflects to the views of an angle, in all: the
-/// integral of its specular term over all lights, one of reciprocal view and light.
+/// Share of the light from an angle that a white rough plane reflects: the integral of its specular
+/// term over the upper directions, view and light exchanged (the BRDF is the same).
 ///
 /// masked  with the roughness in the masking, as the kernel has it, or without
 double plane_albedo(double angle_deg, double base_alpha, bool masked);
