@@ -123,7 +123,8 @@ void add_bake_options(CLI::App& command, BakeWords& words)
     set->add_option("--axes", words.axes,
                     "of tables: instead of harmonics, what goes with the view along two axes, for "
                     "walls, bricks and grooves; degrees of one from +s (right) towards +t (down), "
-                    "or auto: where most slopes lie [of --maps auto tried, too]");
+                    "or auto: where most slopes lie [of --maps auto tried, too]")
+        ->check(angle_or_auto());
     set->add_option("--azimuths", o.table.azimuths, "of tables: directions that are swept")
         ->capture_default_str();
     set->add_option("--max-view-angle", o.max_view_angle_deg,
@@ -161,12 +162,8 @@ std::optional<std::array<double, 2>> pair_of(const std::vector<double>& numbers)
 /// Degrees; absent: auto.
 std::optional<double> axis_named(const std::string& text)
 {
-    if (text == "auto")
-        return std::nullopt;
     double degrees = 0;
-    if (!CLI::detail::lexical_cast(text, degrees))
-        throw Error(fmt::format("--axes {}: must be auto, or an angle in degrees", text));
-    return degrees;
+    return CLI::detail::lexical_cast(text, degrees) ? std::optional(degrees) : std::nullopt;
 }
 
 } // namespace

@@ -57,4 +57,15 @@ CLI::Validator whole_number_from(long long least)
                             fmt::format("{} or more", least));
 }
 
+CLI::Validator angle_or_auto()
+{
+    auto complaint = [](const std::string& word) {
+        double number = 0;
+        if (word == "auto" || (CLI::detail::lexical_cast(word, number) && std::isfinite(number)))
+            return std::string();
+        return fmt::format("expected auto, or an angle in degrees, got '{}'", word);
+    };
+    return CLI::Validator(complaint, "");
+}
+
 } // namespace scree::tool

@@ -23,4 +23,7 @@ CLI::Validator whole_number_from_to(long long least, long long most);
 /// n >= least
 CLI::Validator whole_number_from(long long least);
 
+/// "auto", or a finite number.
+CLI::Validator angle_or_auto();
+
 } // namespace scree::tool

@@ -36,73 +36,77 @@ struct ScreeNodes {
     vec2 axis;       // scree:axisCosine, scree:axisSine; of tables along axes
 };
 
-/// What a direction reads of the tables: layers, and what they are multiplied with. All pixels read
-/// as many, since all must take the same path to have derivatives.
-struct ScreeTablePlace {
-    int count; // of pairs of layers: the nodes on either side
-    int inner[5], outer[5];
-    float inner_weight[5], outer_weight[5];
+/// The nodes on both sides of a direction, and their shares. Before the first node there is none
+/// (share 0): the same one again, since all pixels must take the same path to have derivatives.
+struct ScreeNodePlace {
+    int inner, outer;
+    float inner_share, outer_share;
 };
 
-/// Adds a term's layers to a place.
-///
-/// z      cosine of the angle that nodes are looked up with
-/// terms  layers of a node
-void scree_add_layers(ScreeNodes nodes, float z, int term, int terms, float weight,
-                      inout ScreeTablePlace place)
+/// z  cosine of the angle that nodes are looked up with
+ScreeNodePlace scree_node_place(ScreeNodes nodes, float z)
 {
-    int outer = 0;
+    ScreeNodePlace at;
+    at.outer = 0;
     float before = 1.0;
-    while (outer + 1 < nodes.count && z < nodes.cosine[outer]) {
-        before = nodes.cosine[outer];
-        ++outer;
+    while (at.outer + 1 < nodes.count && z < nodes.cosine[at.outer]) {
+        before = nodes.cosine[at.outer];
+        ++at.outer;
     }
-    float share = scree_node_share(z, before, nodes.cosine[outer]);
-    int i = place.count;
-    place.outer[i] = terms * outer + term;
-    place.inner[i] = terms * max(outer - 1, 0) + term;
-    place.outer_weight[i] = weight * share;
-    place.inner_weight[i] = outer > 0 ? weight * (1.0 - share) : 0.0; // before the first is none
-    place.count = i + 1;
+    at.inner = max(at.outer - 1, 0);
+    at.outer_share = scree_node_share(z, before, nodes.cosine[at.outer]);
+    at.inner_share = at.outer > 0 ? 1.0 - at.outer_share : 0.0;
+    return at;
 }
 
-ScreeTablePlace scree_table_place(ScreeNodes nodes, vec3 w)
+/// One of the terms of a node that a direction reads.
+struct ScreeTerm {
+    int index;    // among those of a node
+    float weight; // what it is multiplied with
+    float z;      // cosine of the angle that nodes are looked up with
+};
+
+/// The terms of a direction, number j of 1 + 2 harmonics, along axes of 3.
+ScreeTerm scree_table_term(ScreeNodes nodes, vec3 w, int j)
 {
-    ScreeTablePlace place;
-    place.count = 0;
+    ScreeTerm term;
+    term.index = j;
+    term.weight = 1.0;
+    term.z = w.z;
+    if (j == 0)
+        return term;
     if (nodes.harmonics < 0) {
-        float x = w.x * nodes.axis.x + w.y * nodes.axis.y;
-        float y = w.y * nodes.axis.x - w.x * nodes.axis.y;
-        scree_add_layers(nodes, w.z, 0, 5, 1.0, place);
-        scree_add_layers(nodes, scree_axis_cosine(x, w.z), x < 0.0 ? 1 : 2, 5, 1.0, place);
-        scree_add_layers(nodes, scree_axis_cosine(y, w.z), y < 0.0 ? 3 : 4, 5, 1.0, place);
-        return place;
+        float along = j == 1 ? w.x * nodes.axis.x + w.y * nodes.axis.y
+                             : w.y * nodes.axis.x - w.x * nodes.axis.y;
+        term.index = 2 * j - (along < 0.0 ? 1 : 0);
+        term.z = scree_axis_cosine(along, w.z);
+        return term;
     }
     float c1 = 0.0, c2 = 0.0, s1 = 0.0, s2 = 0.0;
     scree_azimuth_harmonics(w.x, w.y, c1, c2, s1, s2);
-    int terms = 1 + 2 * nodes.harmonics;
-    scree_add_layers(nodes, w.z, 0, terms, 1.0, place);
-    if (nodes.harmonics == 1) {
-        scree_add_layers(nodes, w.z, 1, terms, c1, place);
-        scree_add_layers(nodes, w.z, 2, terms, s1, place);
-    } else if (nodes.harmonics == 2) {
-        scree_add_layers(nodes, w.z, 1, terms, c1, place);
-        scree_add_layers(nodes, w.z, 2, terms, c2, place);
-        scree_add_layers(nodes, w.z, 3, terms, s1, place);
-        scree_add_layers(nodes, w.z, 4, terms, s2, place);
-    }
-    return place;
+    bool twice = (j - 1) % nodes.harmonics == 1;
+    if (j > nodes.harmonics)
+        term.weight = twice ? s2 : s1;
+    else
+        term.weight = twice ? c2 : c1;
+    return term;
 }
 
 /// beta (rgb) and a of a direction, to the viewer or to a light, as the hardware filters them: two
 /// lookups a layer of a node; along axes six.
 vec4 scree_visibility(sampler2DArray visible, ScreeNodes nodes, vec2 st, vec3 w)
 {
-    ScreeTablePlace place = scree_table_place(nodes, w);
+    bool along_axes = nodes.harmonics < 0;
+    int terms = along_axes ? 5 : 1 + 2 * nodes.harmonics;
+    ScreeNodePlace at = scree_node_place(nodes, w.z);
     vec4 sum = vec4(0.0);
-    for (int j = 0; j < place.count; ++j) {
-        sum += place.inner_weight[j] * texture(visible, vec3(st, float(place.inner[j])));
-        sum += place.outer_weight[j] * texture(visible, vec3(st, float(place.outer[j])));
+    for (int j = 0; j < (along_axes ? 3 : terms); ++j) {
+        ScreeTerm term = scree_table_term(nodes, w, j);
+        if (along_axes)
+            at = scree_node_place(nodes, term.z);
+        vec4 inner = texture(visible, vec3(st, float(terms * at.inner + term.index)));
+        vec4 outer = texture(visible, vec3(st, float(terms * at.outer + term.index)));
+        sum += term.weight * (at.inner_share * inner + at.outer_share * outer);
     }
     return sum;
 }
@@ -110,11 +114,17 @@ vec4 scree_visibility(sampler2DArray visible, ScreeNodes nodes, vec2 st, vec3 w)
 /// The same at a given level.
 vec4 scree_visibility_lod(sampler2DArray visible, ScreeNodes nodes, vec2 st, vec3 w, float lod)
 {
-    ScreeTablePlace place = scree_table_place(nodes, w);
+    bool along_axes = nodes.harmonics < 0;
+    int terms = along_axes ? 5 : 1 + 2 * nodes.harmonics;
+    ScreeNodePlace at = scree_node_place(nodes, w.z);
     vec4 sum = vec4(0.0);
-    for (int j = 0; j < place.count; ++j) {
-        sum += place.inner_weight[j] * textureLod(visible, vec3(st, float(place.inner[j])), lod);
-        sum += place.outer_weight[j] * textureLod(visible, vec3(st, float(place.outer[j])), lod);
+    for (int j = 0; j < (along_axes ? 3 : terms); ++j) {
+        ScreeTerm term = scree_table_term(nodes, w, j);
+        if (along_axes)
+            at = scree_node_place(nodes, term.z);
+        vec4 inner = textureLod(visible, vec3(st, float(terms * at.inner + term.index)), lod);
+        vec4 outer = textureLod(visible, vec3(st, float(terms * at.outer + term.index)), lod);
+        sum += term.weight * (at.inner_share * inner + at.outer_share * outer);
     }
     return sum;
 }

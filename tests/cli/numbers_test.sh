@@ -49,6 +49,9 @@ refuses 'a whole number from 2 to 1024' 1 -- "$scree" chart plane -o out --sampl
 refuses 'a whole number, 1 or more' 0 -- "$scree" chart plane -o out --footprints 0
 refuses 'a number' nan -- "$scree" chart --height heights.exr -o out --height-scale nan
 refuses 'a whole number, 0 or more' -1 -- "$scree" bake --height heights.exr -o out --threads -1
+for value in x nan; do
+    refuses 'auto, or an angle in degrees' "$value" -- "$scree" bake --height heights.exr -o out --axes "$value"
+done
 
 # a recipe's numbers are held to the same
 printf '[validate]\nradiance-tolerance = nan\n' > bad.toml
