@@ -1,9 +1,12 @@
 #include "visibility/line_sweep.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+
+#include "visibility/line_steps.h"
 
 namespace scree {
 
@@ -27,7 +30,18 @@ double coarser(double place, int fine_size, int coarse_size)
 }
 
 int whole(double position) { return static_cast<int>(std::floor(position)); }
-float part(double position) { return static_cast<float>(position - std::floor(position)); }
+
+/// Nodes [begin, end) of a path, of the lines from one on.
+LineNodes nodes_of(const LinePath& path, int begin, int end, const LineHeights& heights, int line)
+{
+    LineNodes nodes;
+    nodes.count = end - begin;
+    for (int n = begin; n < end; ++n) {
+        nodes.heights[n - begin] = heights[static_cast<size_t>(n) + 1].data() + line;
+        nodes.drops[n - begin] = path.nodes[n].drop;
+    }
+    return nodes;
+}
 
 } // namespace
 
@@ -87,8 +101,9 @@ void LineSweep::lay(int place, double from, double to)
     const auto n = static_cast<size_t>(count_);
     for (auto& maximum : maxima_)
         maximum.assign(n, kLowest);
-    hiding_.resize(n);
-    shown_.resize(n);
+    for (auto* heights : {&hiding_, &shown_})
+        for (auto& of_node : *heights)
+            of_node.resize(n);
 }
 
 int LineSweep::end_before(const LineSweep& fine, int place) const
@@ -128,18 +143,23 @@ void LineSweep::take_over(const LineSweep& coarse, int place)
     }
 }
 
-/// The texel that line 0 is nearest to.
-int LineSweep::nearest(int place) const { return first_ + whole(across(place) + 0.5); }
+/// On coarser levels nothing is seen, and a step may be many columns wide: rows are enough.
+LinePath LineSweep::path(int place) const
+{
+    const double half = 0.5 * direction_.away;
+    return {place,         direction_.away,      across(place - half),
+            across(place), across(place + half), level_ == 0};
+}
 
-/// Lines that are nearest to texels of the map; where there are none they end before they begin.
-LineSweep::Lines LineSweep::inside(int place) const
+/// Lines in texels of the map, line 0 in that one; where there are none they end before they begin.
+LineSweep::Lines LineSweep::inside(int place, int texel) const
 {
     const bool s = direction_.along_s;
     if (ends() && (place < 0 || place >= size_along(grid_, level_, s)))
         return {count_, 0};
     if (goes_on(s ? grid_.shape().edge_t : grid_.shape().edge_s))
         return {0, count_};
-    const int size = size_along(grid_, level_, !s), first = nearest(place);
+    const int size = size_along(grid_, level_, !s), first = first_ + texel;
     return {std::clamp(-first, 0, count_), std::clamp(size - first, 0, count_)};
 }
 
@@ -155,61 +175,59 @@ void LineSweep::read(int place, int steps, int margin, LineWindow& window) const
                 last - first + 1 + 2 * margin);
 }
 
-void LineSweep::at_centre(const LineWindow& window, int place, Lines lines,
-                          std::vector<float>& heights) const
+/// What hides of lines in a step.
+void LineSweep::go_to(int place, const LinePath& path, Lines lines)
 {
-    const double position = across(place);
-    const int first = first_ + lines.begin + whole(position);
-    in_row(window.heights(place, first), part(position), lines.end - lines.begin,
-           heights.data() + lines.begin);
-}
-
-/// Heights at the edge between two places.
-void LineSweep::at_edge(const LineWindow& window, int place, int next, Lines lines,
-                        std::vector<float>& heights) const
-{
-    const double position = across(0.5 * (place + next));
-    const int first = first_ + lines.begin + whole(position);
-    between_rows(window.heights(place, first), window.heights(next, first), part(position),
-                 lines.end - lines.begin, heights.data() + lines.begin);
-}
-
-/// What hides of lines at a place.
-void LineSweep::go_to(int place, Lines lines)
-{
-    const int next = place + direction_.away;
-    at_centre(window_, place, lines, hiding_.centre);
-    at_edge(window_, place, next, lines, hiding_.edge);
+    const int count = lines.end - lines.begin;
+    for (int n = 0; n < path.node_count; ++n) {
+        float* heights = hiding_[static_cast<size_t>(n) + 1].data() + lines.begin;
+        if (has_ends_)
+            window_.whole_cells_at(path.nodes[n], first_ + lines.begin, count, heights);
+        else
+            window_.at(path.nodes[n], first_ + lines.begin, count, heights);
+    }
     end_ = place + 0.5 * direction_.away;
-    if (!has_ends_)
-        return;
-    const auto keep = [&](int begin, int end, std::vector<float>& heights) {
-        for (int j = lines.begin; j < lines.end; ++j)
-            if (j < begin || j >= end)
-                heights[static_cast<size_t>(j)] = kNone;
-    };
-    const Lines here = inside(place), there = inside(next);
-    keep(here.begin, here.end, hiding_.centre);
-    keep(std::min(here.begin, there.begin), std::max(here.end, there.end), hiding_.edge);
+    if (has_ends_)
+        stay_inside(place, path, lines);
 }
 
-/// What lines show of the texels of a place.
-void LineSweep::show(int place, Lines lines)
+/// Leaves out what lies beyond the map; its edge is the last that hides.
+void LineSweep::stay_inside(int place, const LinePath& path, Lines lines)
 {
-    at_edge(whole_window_, place - direction_.away, place, lines, shown_.near);
-    at_centre(whole_window_, place, lines, shown_.centre);
-    at_edge(whole_window_, place, place + direction_.away, lines, shown_.edge);
+    for (int p = 0; p < path.piece_count; ++p) {
+        const LinePath::Piece& piece = path.pieces[p];
+        const Lines here = inside(place, piece.texel);
+        const Lines next = p + 1 < path.piece_count ? inside(place, path.pieces[p + 1].texel)
+                                                    : inside(place + direction_.away, piece.texel);
+        for (int n = piece.begin; n < piece.end; ++n) {
+            const bool is_edge = n + 1 == piece.end;
+            const int begin = is_edge ? std::min(here.begin, next.begin) : here.begin;
+            const int end = is_edge ? std::max(here.end, next.end) : here.end;
+            for (int j = lines.begin; j < lines.end; ++j)
+                if (j < begin || j >= end)
+                    hiding_[static_cast<size_t>(n) + 1][static_cast<size_t>(j)] = kNone;
+        }
+    }
 }
 
 void LineSweep::pass(int place, int steps)
 {
     for (int done = 0; done < steps; ++done) {
+        const int here = place + done * direction_.away;
         if (done % kStretch == 0)
-            read(place + done * direction_.away, std::min(kStretch, steps - done), 0, window_);
-        go_to(place + done * direction_.away, {0, count_});
-        for (size_t k = 0; k < scales_.size(); ++k)
-            pass_step(hiding_.from(0), scales_[k], count_, maxima_[k].data());
+            read(here, std::min(kStretch, steps - done), 0, window_);
+        const LinePath path = this->path(here);
+        go_to(here, path, {0, count_});
+        pass_lines(path, 0, path.node_count, {0, count_});
     }
+}
+
+/// Lines go on through nodes [begin, end) of a step.
+void LineSweep::pass_lines(const LinePath& path, int begin, int end, Lines lines)
+{
+    const LineNodes hiding = nodes_of(path, begin, end, hiding_, lines.begin);
+    for (size_t k = 0; k < scales_.size(); ++k)
+        pass_nodes(hiding, scales_[k], lines.end - lines.begin, maxima_[k].data() + lines.begin);
 }
 
 void LineSweep::see(int place, int steps, int from, int count, float* const* visible,
@@ -224,36 +242,50 @@ void LineSweep::see(int place, int steps, int from, int count, float* const* vis
                 whole_window_.make_whole();
             }
         }
-        const int begin = from - nearest(here), end = begin + count;
-        // Those that are still to come lie before these or behind.
-        const Lines ahead = direction_.shift > 0 ? Lines{0, begin} : Lines{end, count_};
-        go_to(here, {std::min(ahead.begin, begin), std::max(ahead.end, end)});
-        if (has_ends_)
-            show(here, {begin, end});
-        for (size_t k = 0; k < scales_.size(); ++k) {
-            float* maxima = maxima_[k].data();
-            float* seen = visible[k] + done * stride;
-            pass_step(hiding_.from(ahead.begin), scales_[k], ahead.end - ahead.begin,
-                      maxima + ahead.begin);
-            if (has_ends_)
-                see_step_with_ends(window_.heights(here, from), hiding_.from(begin),
-                                   shown_.from(begin), scales_[k], count, maxima + begin, seen);
-            else
-                see_step(hiding_.from(begin), scales_[k], count, maxima + begin, seen);
-        }
+        see_step(here, from, count, visible, done * stride);
     }
 }
 
-void LineSweep::Heights::resize(size_t count)
+/// In each piece of a step another line is in a texel.
+///
+/// offset  to the place's numbers of `visible`
+void LineSweep::see_step(int place, int from, int count, float* const* visible, ptrdiff_t offset)
 {
-    near.resize(count);
-    centre.resize(count);
-    edge.resize(count);
+    const LinePath path = this->path(place);
+    const int first = from - first_ - path.pieces[0].texel;
+    const int last = from - first_ - path.pieces[path.piece_count - 1].texel;
+    const Lines seen{std::min(first, last), std::max(first, last) + count};
+    assert(seen.begin >= 0 && seen.end <= count_);
+    go_to(place, path, direction_.shift > 0 ? Lines{0, seen.end} : Lines{seen.begin, count_});
+    if (has_ends_) {
+        const int lines = seen.end - seen.begin, position = first_ + seen.begin;
+        whole_window_.at(path.beginning, position, lines, shown_[0].data() + seen.begin);
+        for (int n = 0; n < path.node_count; ++n)
+            whole_window_.at(path.nodes[n], position, lines,
+                             shown_[static_cast<size_t>(n) + 1].data() + seen.begin);
+    }
+    for (int p = 0; p < path.piece_count; ++p)
+        see_piece(place, path, path.pieces[p], from, count, visible, offset);
 }
 
-StepHeights LineSweep::Heights::from(int line) const
+void LineSweep::see_piece(int place, const LinePath& path, const LinePath::Piece& piece, int from,
+                          int count, float* const* visible, ptrdiff_t offset)
 {
-    return {near.data() + line, centre.data() + line, edge.data() + line};
+    const int line = from - first_ - piece.texel;
+    // Those that are still to come lie before these or behind.
+    pass_lines(path, piece.begin, piece.end,
+               direction_.shift > 0 ? Lines{0, line} : Lines{line + count, count_});
+    const LineNodes hiding = nodes_of(path, piece.begin, piece.end, hiding_, line);
+    const LineNodes shown = nodes_of(path, piece.begin, piece.end, shown_, line);
+    const float* shown_first = shown_[static_cast<size_t>(piece.begin)].data() + line;
+    for (size_t k = 0; k < scales_.size(); ++k) {
+        float *maxima = maxima_[k].data() + line, *seen = visible[k] + offset;
+        if (has_ends_)
+            see_nodes_with_ends(window_.heights(place, from), hiding, shown_first, shown,
+                                scales_[k], count, maxima, seen);
+        else
+            see_nodes(hiding, scales_[k], count, maxima, seen);
+    }
 }
 
 } // namespace scree

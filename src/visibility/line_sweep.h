@@ -1,10 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "visibility/height_grid.h"
-#include "visibility/line_steps.h"
+#include "visibility/line_path.h"
 #include "visibility/line_window.h"
 
 namespace scree {
@@ -22,6 +23,9 @@ struct LineDirection {
 
 /// The axis that lines of an azimuth cross faster, counted in texels of level 0.
 bool goes_along_s(const HeightGrid& grid, double azimuth_rad);
+
+/// Heights of lines where a step begins and at its nodes.
+using LineHeights = std::array<std::vector<float>, 1 + LinePath::kMostNodes>;
 
 /// Lines side by side on one level, a texel apart, followed away from the viewer: of each elevation
 /// the running maximum of the height above the line of sight.
@@ -72,23 +76,17 @@ private:
     struct Lines {
         int begin, end;
     };
-    /// Heights of all lines in a step.
-    struct Heights {
-        std::vector<float> near, centre, edge;
-        void resize(size_t count);
-        [[nodiscard]] StepHeights from(int line) const;
-    };
 
     [[nodiscard]] double across(double place) const;
-    [[nodiscard]] int nearest(int place) const;
-    [[nodiscard]] Lines inside(int place) const;
+    [[nodiscard]] LinePath path(int place) const;
+    [[nodiscard]] Lines inside(int place, int texel) const;
     void read(int place, int steps, int margin, LineWindow& window) const;
-    void at_centre(const LineWindow& window, int place, Lines lines,
-                   std::vector<float>& heights) const;
-    void at_edge(const LineWindow& window, int place, int next, Lines lines,
-                 std::vector<float>& heights) const;
-    void go_to(int place, Lines lines);
-    void show(int place, Lines lines);
+    void go_to(int place, const LinePath& path, Lines lines);
+    void stay_inside(int place, const LinePath& path, Lines lines);
+    void pass_lines(const LinePath& path, int begin, int end, Lines lines);
+    void see_step(int place, int from, int count, float* const* visible, std::ptrdiff_t offset);
+    void see_piece(int place, const LinePath& path, const LinePath::Piece& piece, int from,
+                   int count, float* const* visible, std::ptrdiff_t offset);
 
     const HeightGrid& grid_;
     int level_;
@@ -101,8 +99,8 @@ private:
     int first_ = 0, count_ = 0;              ///< lines are at first_ + j + across(place)
     double end_ = 0;                         ///< the last place, halves included
     LineWindow window_, whole_window_;
-    Heights hiding_; ///< what hides: cells between texels with data, inside the map
-    Heights shown_;  ///< of texels that have data, up to their edges
+    LineHeights hiding_; ///< what hides: cells between texels with data, inside the map
+    LineHeights shown_;  ///< of texels that have data, up to their edges, from a step's beginning
 };
 
 } // namespace scree

@@ -56,6 +56,27 @@ void LineWindow::read(int place, int places, int position, int positions)
     }
 }
 
+void LineWindow::at(const LineNode& node, int position, int count, float* out) const
+{
+    const float* here = heights(node.row, position + node.column);
+    if (node.along == 0)
+        in_row(here, node.across, count, out);
+    else if (node.across == 0)
+        in_columns(here, here + columns_, node.along, count, out);
+    else
+        between_rows(here, here + columns_, node.across, node.along, count, out);
+}
+
+void LineWindow::whole_cells_at(const LineNode& node, int position, int count, float* out) const
+{
+    at(node, position, count, out);
+    const float* here = heights(node.row, position + node.column);
+    if (node.along == 0)
+        leave_out_torn(here - columns_, here + columns_, 1, count, out);
+    else if (node.across == 0)
+        leave_out_torn(here - 1, here + 1, columns_, count, out);
+}
+
 void LineWindow::make_whole()
 {
     if (!grid_.shape().holes)

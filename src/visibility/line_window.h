@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "visibility/height_grid.h"
+#include "visibility/line_path.h"
 
 namespace scree {
 
@@ -26,6 +27,12 @@ public:
     /// The outermost rows and columns stay as they are, kMargin of them.
     void make_whole();
     static constexpr int kMargin = 2;
+
+    /// The bilinear surface under lines at a node, the first of them `position` columns further.
+    void at(const LineNode& node, int position, int count, float* heights) const;
+
+    /// The same, but NaN between two texels where the cells on both sides lack one: as in them.
+    void whole_cells_at(const LineNode& node, int position, int count, float* heights) const;
 
     /// Heights of a place from a position on; NaN where there is none.
     [[nodiscard]] const float* heights(int place, int position) const

@@ -36,11 +36,13 @@ struct SweepOptions {
 /// running maximum of g rises by. No horizon is kept, no slope is needed, and the areas of a line
 /// add up to its length times cos theta whatever the heights are. Derived in docs/visibility.md.
 ///
-/// A line's profile is the bilinear surface at the rows (or columns, whichever it crosses faster)
-/// of texel centres and halfway between, straight in between. A texel gets what the lines nearest
-/// to its centre see in it: samples, so single texels are noisy and areas of 16x16 are not
-/// [tests/visibility/sweep_reference_test.cpp]. Kinks between samples are cut, and a step counts
-/// for one texel: heights and colors that both change within a texel or two are told less well.
+/// A line's profile is the bilinear surface where it crosses rows and columns, of texel centres and
+/// of texel edges, straight in between; what a piece shows counts for the texel it is in. So detail
+/// of a texel or two has its color. Between these nodes the surface is a parabola, of which a chord
+/// cuts the top: the colors of walls of one texel that stand aslant, 1.2 texels high, are off by
+/// 0.01 of white, other detail by less [tests/visibility/sweep_detail_test.cpp]. A texel gets what
+/// some lines see in it: samples, so single texels are noisy and areas of 16x16 are not
+/// [tests/visibility/sweep_reference_test.cpp].
 ///
 /// Cells between texels without data, and beyond a map that ends, hide nothing; texels beside them
 /// are seen up to their edges (LineWindow::make_whole()).

@@ -113,7 +113,7 @@ struct Node {
     float away, height; ///< world units, away from the viewer
 };
 
-/// Heights along a line at the centres and edges of its places, as the sweep has them.
+/// Heights along a line at the centres and edges of its places: fewer nodes than the sweep has.
 ///
 /// place, position  of the first node, half a place before the first centre
 void profile(bool along_s, int away, double place, double position, double shift, double length,

@@ -1,25 +1,25 @@
 #pragma once
 
-#include <functional>
+#include <cstddef>
 #include <vector>
 
 namespace scree::test {
 
-/// Height at a place along a line, texels of the axis it steps on: at whole and half places.
-using Profile = std::function<long double(double place)>;
+/// A node of a line's profile, which is straight in between. World units.
+struct ProfileNode {
+    long double away; ///< from the viewer
+    long double height;
+};
 
-/// What a view sees of the stretch of a line from place - 1/2 to place + 1/2, over its length and
-/// cos theta.
+/// What a view sees of the piece between nodes[far - 1] and nodes[far], over cos theta.
 ///
-/// Every straight piece is held against every node nearer to the viewer, point by point in closed
-/// form: visible is where no node is above the line of sight. In world units, with no running
-/// maximum.
+/// It is held against every node nearer to the viewer, point by point in closed form: visible is
+/// where no node is above the line of sight. No running maximum.
 ///
-/// away       +1 or -1, away from the viewer
-/// reach      places towards the viewer that can hide it; nodes beyond are left out
-/// length     of a step, world units
+/// nodes      in order, away from the viewer; those left out hide nothing
+/// far        >= 1
 /// cotangent  of the view's angle from the normal
-long double seen_of_line(const Profile& height_at, int place, int away, int reach,
-                         long double length, long double cotangent);
+long double seen_of_piece(const std::vector<ProfileNode>& nodes, std::size_t far,
+                          long double cotangent);
 
 } // namespace scree::test

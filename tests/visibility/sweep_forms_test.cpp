@@ -102,6 +102,27 @@ TEST(Sweep, SeesWhatIsLeftOfAPlaneAsThePlane)
     }
 }
 
+/// A row of towers between texels without data: no cell of theirs is whole, so they hide nothing.
+TEST(Sweep, SeesThroughCellsThatLackTexels)
+{
+    for (const bool along_s : {true, false}) {
+        const HeightGrid::Shape shape = shape_of(30, 30, Edge::extend, Edge::extend);
+        const MemoryHeights grid = heights_of(shape, [&](int x, int y) {
+            const int beside = std::abs((along_s ? y : x) - 15);
+            return beside == 0 ? 9 : beside == 1 ? std::nan("") : 0;
+        });
+        for (const double azimuth : around(24)) {
+            const auto seen = swept(grid, whole_block(grid), azimuth, {70.0});
+            for (int i = 0; i < 900; ++i) {
+                const bool is_ground = std::abs((along_s ? i / 30 : i % 30) - 15) > 1;
+                if (is_ground) {
+                    ASSERT_NEAR(at(seen[0], i), 1, 1e-5) << azimuth << " texel " << i;
+                }
+            }
+        }
+    }
+}
+
 TEST(Sweep, SeesNothingWhereNothingIs)
 {
     const MemoryHeights none = heights_of(shape_of(5, 4), [](int, int) { return std::nan(""); });

@@ -29,8 +29,8 @@ using test::whole_block;
 
 const std::vector<double> kThetas = {20, 45, 60, 75, 83};
 
-/// Not less than what rounds the sweep's floats: a height, in drops, to 2^-24 of itself, four of
-/// them a texel. The highest: range 2 over a drop of cot 83 is 16; so 8 * 2^-24 * 16.
+/// Not less than what rounds the sweep's floats: a height, in drops, to 2^-24 of itself, up to six
+/// of them a texel. The highest: range 2 over a drop of cot 83 is 16; so 8 * 2^-24 * 16.
 constexpr double kRounding = 8e-6;
 
 long double height_at(const MemoryHeights& grid, int x, int y)
@@ -49,7 +49,59 @@ long double surface(const MemoryHeights& grid, double s, double t)
            v * ((1 - u) * height_at(grid, x, y + 1) + u * height_at(grid, x + 1, y + 1));
 }
 
-/// What the line nearest to a texel's centre sees in it.
+/// A line over a map: it goes through place p, a texel of the axis that is crossed faster, at
+/// position first + slope p of the other; away from the viewer on the side of `away`.
+struct Line {
+    bool along_s;
+    int away;
+    double first, slope;
+    double length; ///< from place to place, world units
+
+    [[nodiscard]] double position(double place) const { return first + slope * place; }
+};
+
+/// Places [low, high] where a line crosses rows and columns of texel centres and edges, in order
+/// away from the viewer.
+std::vector<double> crossings(const Line& line, double low, double high)
+{
+    std::vector<double> places;
+    const auto halves = [](double from, double to, const auto& add) {
+        const int last = static_cast<int>(std::floor(2 * to));
+        for (int half = static_cast<int>(std::ceil(2 * from)); half <= last; ++half)
+            add(0.5 * half);
+    };
+    halves(low, high, [&](double row) { places.push_back(row); });
+    const auto [a, b] = std::minmax({line.position(low), line.position(high)});
+    halves(a, b, [&](double column) { places.push_back((column - line.first) / line.slope); });
+    std::sort(places.begin(), places.end(),
+              [&](double p, double q) { return p * line.away < q * line.away; });
+    return places;
+}
+
+/// What a line sees in a texel, over the length of a step.
+long double seen_by_line(const MemoryHeights& grid, const Line& line, int place, int texel,
+                         double cotangent)
+{
+    const double range = grid.shape().highest - grid.shape().lowest;
+    const double reach = std::ceil(range / cotangent / line.length) + 1.5;
+    const std::vector<double> places = crossings(line, line.away > 0 ? place - reach : place - 0.5,
+                                                 line.away > 0 ? place + 0.5 : place + reach);
+    std::vector<test::ProfileNode> nodes;
+    nodes.reserve(places.size());
+    for (const double p : places)
+        nodes.push_back({static_cast<long double>(p * line.away * line.length),
+                         line.along_s ? surface(grid, p, line.position(p))
+                                      : surface(grid, line.position(p), p)});
+    long double seen = 0;
+    for (size_t i = 1; i < nodes.size(); ++i) {
+        const double middle = (places[i - 1] + places[i]) / 2;
+        if (std::abs(middle - place) < 0.5 && std::abs(line.position(middle) - texel) < 0.5)
+            seen += test::seen_of_piece(nodes, i, static_cast<long double>(cotangent));
+    }
+    return seen / static_cast<long double>(line.length);
+}
+
+/// What all lines see in a texel.
 ///
 /// offset  of the lines beyond whole positions at place 0
 long double seen_of_texel(const MemoryHeights& grid, int x, int y, double azimuth_degrees,
@@ -61,18 +113,14 @@ long double seen_of_texel(const MemoryHeights& grid, int x, int y, double azimut
     const bool along_s = std::abs(ds) > std::abs(dt);
     const double run = along_s ? ds : dt, slope = along_s ? dt / ds : ds / dt;
     const int place = along_s ? x : y, texel = along_s ? y : x;
-    const double line = std::floor(texel + 0.5 - offset - slope * place);
-    const auto profile = [&](double p) {
-        const double position = line + offset + slope * p;
-        return along_s ? surface(grid, p, position) : surface(grid, position, p);
-    };
-    const double cotangent = test::cotangent(theta_degrees);
-    const double length = 1 / std::abs(run);
-    const double range = grid.shape().highest - grid.shape().lowest;
-    const int reach = static_cast<int>(std::ceil(range / cotangent / length)) + 1;
-    return test::seen_of_line(profile, place, run > 0 ? -1 : 1, reach,
-                              static_cast<long double>(length),
-                              static_cast<long double>(cotangent));
+    const double nearest = std::floor(texel + 0.5 - offset - slope * place);
+    long double seen = 0;
+    for (const int beside : {-1, 0, 1}) {
+        const Line line{along_s, run > 0 ? -1 : 1, nearest + beside + offset, slope,
+                        1 / std::abs(run)};
+        seen += seen_by_line(grid, line, place, texel, test::cotangent(theta_degrees));
+    }
+    return seen;
 }
 
 struct Lattice {

@@ -127,8 +127,8 @@ const std::pair<Edge, Beyond> kEdges[] = {{Edge::periodic, Beyond::repeats},
                                           {Edge::extend, Beyond::extends},
                                           {Edge::zero, Beyond::ends}};
 
-/// Rays have noise; lines have some too, and their profiles are straight over half a texel: with 4
-/// lines a texel less than the rays'.
+/// Rays have noise; lines have some too, and their profiles are chords: with 4 lines a texel less
+/// than the rays'.
 TEST(Sweep, SeesWhatRaysSee)
 {
     for (const auto& [edge, beyond] : kEdges)
