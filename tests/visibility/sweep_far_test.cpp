@@ -166,8 +166,8 @@ TEST(Sweep, MoreLinesSeeMore)
         return std::sqrt(squares);
     };
     const double one = off(1), two = off(2), four = off(4);
-    EXPECT_LT(two, one / 1.5);
-    EXPECT_LT(four, two / 1.5);
+    EXPECT_LT(two, one / 2);
+    EXPECT_LT(four, two / 2);
 }
 
 } // namespace
