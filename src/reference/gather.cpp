@@ -81,6 +81,7 @@ void Gatherer::add_light(GatherSums& sums, size_t light, const SurfacePoint& poi
             lit.color[c] += visible_[v] * point.color[c];
             lit.diffuse[c] += visible_[v] * point.color[c] * cosine;
         }
+        lit.white += visible_[v] * cosine;
         lit.specular += point.weight * lobes_[pair].at(point.slope);
     }
 }

@@ -29,6 +29,7 @@ struct Lit {
     double share = 0; ///< E[Vo Vi W] / E[Vo W], of what is seen, whether it faces the light or not
     Rgb color{};      ///< E[Vo Vi W c] / E[Vo Vi W]: of what is seen and open to the light
     Rgb diffuse{};    ///< E[Vo Vi W c max(0, n . wi)] / (pi E[Vo W]): radiance over irradiance
+    double white = 0; ///< that of a white surface: diffuse / white is the color that is seen lit
     double specular = 0; ///< E[Vo Vi p(slope of h - slope)] / (4 h.z^4 E[Vo W]), likewise
 };
 

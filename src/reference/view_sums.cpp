@@ -68,6 +68,7 @@ void LitSums::add(const LitSums& other)
     open += other.open;
     add_to(color, other.color);
     add_to(diffuse, other.diffuse);
+    white += other.white;
     specular += other.specular;
 }
 
@@ -80,6 +81,7 @@ Lit LitSums::mean(double area) const
     if (open > 0)
         lit.color = divided(color, open);
     lit.diffuse = divided(diffuse, area / kInversePi);
+    lit.white = white / (area / kInversePi);
     lit.specular = specular / area;
     return lit;
 }

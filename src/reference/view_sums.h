@@ -37,7 +37,7 @@ struct SeenSums {
 struct LitSums {
     double open = 0;
     Rgb color{}, diffuse{};
-    double specular = 0;
+    double white = 0, specular = 0;
 
     void add(const LitSums& other);
 

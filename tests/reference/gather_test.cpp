@@ -68,6 +68,7 @@ TEST(Gather, PlanesAreSeenWhole)
                     const Lit& lit = all.lit[v * plan.lights.size() + l];
                     EXPECT_EQ(lit.share, cosine > 0 ? 1 : 0) << v << " " << l;
                     EXPECT_NEAR(lit.diffuse[0], std::max(0.0, cosine) / kPi, 1e-13) << v;
+                    EXPECT_EQ(lit.white, lit.diffuse[0]) << v; // the plane is white
                     const double specular = specular_of_plane(w, light, slope, plan.base_alpha);
                     EXPECT_NEAR(lit.specular, cosine > 0 ? specular : 0, 1e-12 * specular) << v;
                 }

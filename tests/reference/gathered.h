@@ -22,7 +22,7 @@ inline std::vector<double> values(const reference::Gathered& g)
                                s.slope.y, s.covariance[0], s.covariance[1], s.covariance[2]});
     for (const reference::Lit& l : g.lit)
         all.insert(all.end(), {l.share, l.color[0], l.color[1], l.color[2], l.diffuse[0],
-                               l.diffuse[1], l.diffuse[2], l.specular});
+                               l.diffuse[1], l.diffuse[2], l.white, l.specular});
     return all;
 }
 

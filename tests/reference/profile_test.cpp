@@ -125,6 +125,7 @@ TEST(Grooves, LightAcrossHasItsClosedForm)
         EXPECT_EQ(lit.color[2 - 2 * l], 0);
         EXPECT_NEAR(lit.diffuse[1], 0.5 / 16 * cosine / kPi, kAccuracy);
         EXPECT_NEAR(lit.diffuse[2 * l], (length - 0.5) / 16 * cosine / kPi, kAccuracy);
+        EXPECT_NEAR(lit.white, length / 16 * cosine / kPi, kAccuracy);
 
         const Vec3 h = (wo + wi).normalized();
         const double away_s = -h.x / h.z - slope, away_t = -h.y / h.z;
