@@ -2,115 +2,57 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "chart/temp_folder.h"
-#include "judge/picked_texels.h"
-#include "pipeline/bake.h"
+#include "figures/baked_set.h"
 
 namespace scree::test {
 namespace {
 
-constexpr int kFootprintsOfSize = 16;
-constexpr uint64_t kSeed = 6;
-
 /// Samples along a side of a footprint: fewer where there are many footprints to average over.
-constexpr int kGrid16 = 32, kGrid64 = 56, kGrid256 = 72, kGridMap = 224;
-
-/// Footprints and their texels, of the sizes that are judged.
-struct Picked {
-    FootprintsOfSize footprints;
-    std::vector<SetTexel> texels;
-};
-
-/// few  64x64 texels and the whole map
-std::vector<Picked> pick(SetReader& set, bool few)
+std::vector<SizePlan> all_sizes()
 {
-    const Manifest& manifest = set.manifest();
-    const int last = reference::level_count(manifest.width, manifest.height) - 1;
-    std::vector<Picked> sizes;
-    struct Size {
-        const char* name;
-        int level, grid;
-        bool among_few;
-    };
-    for (const auto& [name, level, grid, among_few] :
-         {Size{"16", 4, kGrid16, false}, Size{"64", 6, kGrid64, true},
-          Size{"256", 8, kGrid256, false}, Size{"map", last, kGridMap, true}})
-        if ((level < last || name == std::string("map")) && (among_few || !few)) {
-            Picked& of_size = sizes.emplace_back();
-            of_size.footprints.name = name;
-            of_size.footprints.grid = grid;
-            for (PickedTexel& picked : pick_texels(set, level, kFootprintsOfSize, kSeed))
-                if (picked.level == level) {
-                    of_size.texels.push_back(picked.texel);
-                    of_size.footprints.places.push_back(std::move(picked.footprint));
-                }
-        }
-    return sizes;
+    return {{"16", 4, 32}, {"64", 6, 56}, {"256", 8, 72}, map_size(224)};
 }
+
+std::vector<SizePlan> few_sizes() { return {{"64", 6, 56}, map_size(224)}; }
 
 /// Ways to tell the color, of one baked set.
 struct JudgedSet {
     std::vector<ColorOfView> models;
-    std::vector<Picked> sizes;
-    double mean_color = 0; ///< rms of the map's, over R, G, B
+    BakedSet set;
 };
 
-double rms(const std::array<double, 3>& color)
+JudgedSet judged(const Asset& asset, const SetPlan& plan)
 {
-    return std::sqrt((color[0] * color[0] + color[1] * color[1] + color[2] * color[2]) / 3);
-}
-
-/// What to bake.
-struct SetPlan {
-    std::vector<Map> maps;
-    int nodes = kDefaultNodes;
-    PixelTypeChoice type = PixelTypeChoice::automatic;
-    bool few_footprints = false;
-    bool axes = false; ///< instead of harmonics
-};
-
-JudgedSet bake_and_read(const Asset& asset, const SetPlan& plan)
-{
-    const TempFolder folder;
-    BakeOptions options = asset.options;
-    options.output = folder.path() / "set";
-    options.maps = plan.maps;
-    options.pixel_type = plan.type;
-    options.table = {best_node_angles(plan.nodes), plan.axes ? 0 : kMaxHarmonics, 8, plan.axes};
-    Manifest start;
-    start.name = asset.name;
-    AssetSource source(asset);
-    bake(source, options, start);
-
-    SetReader reader(options.output);
-    const Manifest& manifest = reader.manifest();
-    const VisibilityRecord& table = manifest.visibility.value();
-    return {plan.axes ? std::vector{axes_color(table)} : colors_of_views(table),
-            pick(reader, plan.few_footprints), rms(manifest.levels.back().mean_color.value())};
+    BakedSet set = bake_and_pick(asset, plan);
+    return {plan.axes ? std::vector{axes_color(set.visibility)} : colors_of_views(set.visibility),
+            std::move(set)};
 }
 
 std::vector<JudgedSet> sets_of_models(const Asset& asset)
 {
-    return {bake_and_read(asset, {{Map::slope, Map::tail, Map::height, Map::color, Map::colorheight,
-                                   Map::rank, Map::exponent, Map::visible}}),
-            bake_and_read(asset, {{Map::slope, Map::color, Map::visible},
-                                  kDefaultNodes,
-                                  PixelTypeChoice::automatic,
-                                  false,
-                                  true})};
+    SetPlan plan;
+    plan.maps = {Map::slope,       Map::tail, Map::height,   Map::color,
+                 Map::colorheight, Map::rank, Map::exponent, Map::visible};
+    plan.sizes = all_sizes();
+    std::vector<JudgedSet> sets;
+    sets.push_back(judged(asset, plan));
+    plan.maps = {Map::slope, Map::color, Map::visible};
+    plan.axes = true;
+    sets.push_back(judged(asset, plan));
+    return sets;
 }
 
 /// The mean color, tables of several numbers of nodes, of several pixel types, and ways between
 /// four nodes.
 std::vector<JudgedSet> sets_of_nodes(const Asset& asset)
 {
-    const std::vector<Map> maps = {Map::slope, Map::color, Map::visible};
     std::vector<JudgedSet> sets;
-    auto add = [&](const SetPlan& plan, const std::string& name) {
-        JudgedSet set = bake_and_read(asset, plan);
+    auto add = [&](int nodes, PixelTypeChoice type, const std::string& name) {
+        JudgedSet set = judged(
+            asset, {{Map::slope, Map::color, Map::visible}, nodes, type, few_sizes(), false});
         const ColorOfView mean = set.models.front();
         ColorOfView table = set.models.back();
         table.name = name;
@@ -119,10 +61,10 @@ std::vector<JudgedSet> sets_of_nodes(const Asset& asset)
             set.models = {mean, table};
         sets.push_back(std::move(set));
     };
-    add({maps, 4, PixelTypeChoice::float32, true}, "4 nodes");
-    add({maps, 4, PixelTypeChoice::half, true}, "4 nodes, half");
+    add(4, PixelTypeChoice::float32, "4 nodes");
+    add(4, PixelTypeChoice::half, "4 nodes, half");
     for (const int nodes : {2, 3, 5, 6})
-        add({maps, nodes, PixelTypeChoice::float32, true}, fmt::format("{} nodes", nodes));
+        add(nodes, PixelTypeChoice::float32, fmt::format("{} nodes", nodes));
     const VisibilityRecord four{best_node_angles(4), kMaxHarmonics, 8, {}};
     std::vector<ColorOfView>& of_four = sets.front().models;
     of_four.push_back(table_color_along(four, "4 nodes, by theta",
@@ -148,15 +90,16 @@ SurfaceFigures measure(const Asset& asset, double slope, Comparison comparison,
     for (const JudgedSet& set : sets)
         for (const ColorOfView& model : set.models)
             figures.models.push_back(model.name);
-    for (size_t size = 0; size < sets.front().sizes.size(); ++size) {
-        const SeenOfSize seen = see(surface, sets.front().sizes[size].footprints, views);
+    const BakedSet& first = sets.front().set;
+    for (size_t size = 0; size < first.sizes.size(); ++size) {
+        const SeenOfSize seen = see(surface, first.sizes[size].footprints, views);
         SizeFigures& of_size = figures.sizes.emplace_back();
         of_size.footprint = seen.name;
-        of_size.noise = squares_of_noise(seen, views, sets.front().mean_color);
-        for (const JudgedSet& set : sets)
-            for (const ColorOfView& model : set.models)
-                of_size.squares.push_back(
-                    squares_of(model, set.sizes[size].texels, seen, views, set.mean_color));
+        of_size.noise = squares_of_noise(seen, views, first.mean_color);
+        for (const JudgedSet& judged : sets)
+            for (const ColorOfView& model : judged.models)
+                of_size.squares.push_back(squares_of(model, judged.set.sizes[size].texels, seen,
+                                                     views, judged.set.mean_color));
     }
     return figures;
 }

@@ -20,24 +20,6 @@ Vec3f color_of(const SetTexel& texel) { return {texel.color[0], texel.color[1], 
 
 Rgbf rgb(const Vec3f& color) { return {color.x, color.y, color.z}; }
 
-float smith_exponent(const SetTexel& texel, const Vec3f& w)
-{
-    return filter::masking(w, slopes_of(texel)).lambda;
-}
-
-float measured_exponent(const SetTexel& texel, const Vec3f& w)
-{
-    const auto [gain, power, threshold] = texel.exponent;
-    return filter::measured_exponent(w, texel.slope, texel.tau, {gain, power, threshold});
-}
-
-Rgbf by_height(const SetTexel& texel, float exponent)
-{
-    const auto& [r, g, b] = texel.color_height;
-    return rgb(filter::color_by_height(color_of(texel), {r, g, b}, texel.h, texel.hh,
-                                       filter::visible_height(exponent)));
-}
-
 Rgbf by_rank(const SetTexel& texel, float exponent)
 {
     std::array<Vec3f, kRankTerms> terms;
@@ -76,6 +58,24 @@ std::vector<float> cosines_of(const VisibilityRecord& record)
 double tangent(double cosine) { return std::sqrt(1 - cosine * cosine) / cosine; }
 
 } // namespace
+
+float smith_exponent(const SetTexel& texel, const Vec3f& w)
+{
+    return filter::masking(w, slopes_of(texel)).lambda;
+}
+
+float measured_exponent(const SetTexel& texel, const Vec3f& w)
+{
+    const auto [gain, power, threshold] = texel.exponent;
+    return filter::measured_exponent(w, texel.slope, texel.tau, {gain, power, threshold});
+}
+
+Rgbf color_by_height(const SetTexel& texel, float exponent)
+{
+    const auto& [r, g, b] = texel.color_height;
+    return rgb(filter::color_by_height(color_of(texel), {r, g, b}, texel.h, texel.hh,
+                                       filter::visible_height(exponent)));
+}
 
 ColorOfView table_color(const VisibilityRecord& record, int harmonics)
 {
@@ -136,12 +136,14 @@ std::vector<ColorOfView> colors_of_views(const VisibilityRecord& record)
         {"naive", [](const SetTexel& texel, const Vec3f&) { return texel.color; }},
         {"Smith, linear",
          [](const SetTexel& texel, const Vec3f& w) {
-             return by_height(texel, smith_exponent(texel, w));
+             return color_by_height(texel, smith_exponent(texel, w));
          }},
         {"Smith, rank", [](const SetTexel& texel,
                            const Vec3f& w) { return by_rank(texel, smith_exponent(texel, w)); }},
-        {"corrected", [](const SetTexel& texel,
-                         const Vec3f& w) { return by_height(texel, measured_exponent(texel, w)); }},
+        {"corrected",
+         [](const SetTexel& texel, const Vec3f& w) {
+             return color_by_height(texel, measured_exponent(texel, w));
+         }},
     };
     for (int harmonics = 0; harmonics <= record.harmonics; ++harmonics)
         all.push_back(table_color(record, harmonics));

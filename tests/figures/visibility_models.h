@@ -10,6 +10,15 @@
 
 namespace scree::test {
 
+/// Smith's Lambda of a direction, and the exponent that was fitted in its place.
+float smith_exponent(const SetTexel& texel, const Vec3f& w);
+float measured_exponent(const SetTexel& texel, const Vec3f& w);
+
+/// Linear in height.
+///
+/// exponent  of a direction, or the sum of the view's and the light's
+Rgbf color_by_height(const SetTexel& texel, float exponent);
+
 /// A way to tell the color that a view sees of a texel, by the kernel.
 struct ColorOfView {
     std::string name;

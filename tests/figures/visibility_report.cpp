@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <map>
 
+#include "figures/markdown.h"
+
 namespace scree::test {
 namespace {
 
@@ -18,30 +20,6 @@ double pooled(const SquaresOfAngles& squares)
     for (const double square : squares)
         sum += square;
     return std::sqrt(sum / static_cast<double>(squares.size()));
-}
-
-std::string percent(double value) { return fmt::format("{:.2f}", 100 * value); }
-
-void print_row(const std::vector<std::string>& cells)
-{
-    for (const std::string& cell : cells)
-        fmt::print("| {} ", cell);
-    fmt::print("|\n");
-}
-
-void print_head(const std::vector<std::string>& cells)
-{
-    print_row(cells);
-    for (size_t i = 0; i < cells.size(); ++i)
-        fmt::print("|---");
-    fmt::print("|\n");
-}
-
-std::vector<std::string> joined(std::vector<std::string> first,
-                                const std::vector<std::string>& rest)
-{
-    first.insert(first.end(), rest.begin(), rest.end());
-    return first;
 }
 
 /// Errors of a model over those of the first, at one size of footprint, all surfaces.

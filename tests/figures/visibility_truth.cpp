@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace scree::test {
 namespace {
@@ -27,6 +28,8 @@ SquaresOfAngles mean_squares(const SeenOfSize& seen, const AllViews& views,
     return squares;
 }
 
+} // namespace
+
 reference::Rgb mean_color_of(const reference::Relief& relief, const reference::Footprint& place)
 {
     reference::Rgb sum{};
@@ -41,8 +44,6 @@ reference::Rgb mean_color_of(const reference::Relief& relief, const reference::F
         }
     return sum;
 }
-
-} // namespace
 
 reference::Rgb SeenOfSize::color(size_t footprint, const reference::Gathered& of_samples,
                                  size_t view) const
@@ -70,6 +71,12 @@ SeenOfSize see(const reference::DisplacedSurface& surface, const FootprintsOfSiz
 {
     reference::GatherPlan plan;
     plan.views = views.views;
+    return see(surface, footprints, std::move(plan));
+}
+
+SeenOfSize see(const reference::DisplacedSurface& surface, const FootprintsOfSize& footprints,
+               reference::GatherPlan plan)
+{
     plan.grid = footprints.grid;
     SeenOfSize seen{footprints.name, reference::gather_all(surface, footprints.places, plan), {}};
     for (const reference::Footprint& place : footprints.places)

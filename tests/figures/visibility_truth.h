@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "figures/baked_set.h"
 #include "figures/visibility_models.h"
 #include "reference/displaced_surface.h"
 #include "reference/gather.h"
@@ -19,13 +20,6 @@ struct AllViews {
     std::vector<Vec3> views; ///< angle by angle
 };
 
-/// Footprints of one size.
-struct FootprintsOfSize {
-    std::string name; ///< "16", "map"
-    std::vector<reference::Footprint> places;
-    int grid = 1; ///< grid x grid samples a footprint
-};
-
 /// What the reference renderer saw of them.
 struct SeenOfSize {
     std::string name;
@@ -38,6 +32,12 @@ struct SeenOfSize {
                                        size_t view) const;
 };
 
+/// Of the texels that a footprint takes, exact.
+reference::Rgb mean_color_of(const reference::Relief& relief, const reference::Footprint& place);
+
+/// plan  views, the first from straight above, and seed; samples are the footprints'
+SeenOfSize see(const reference::DisplacedSurface& surface, const FootprintsOfSize& footprints,
+               reference::GatherPlan plan);
 SeenOfSize see(const reference::DisplacedSurface& surface, const FootprintsOfSize& footprints,
                const AllViews& views);
 
