@@ -112,8 +112,8 @@ NodeCheck check_nodes(SetReader& set, const reference::DisplacedSurface& surface
                       const ViewPlan& plan, const std::function<void(double)>& progress)
 {
     const VisibilityRecord table = *set.manifest().visibility;
-    const std::vector<PickedTexel> picked =
-        pick_texels(set, kFirstSeenLevel, std::min(plan.footprints, kMostNodeFootprints), plan.seed);
+    const std::vector<PickedTexel> picked = pick_texels(
+        set, kFirstSeenLevel, std::min(plan.footprints, kMostNodeFootprints), plan.seed);
     reference::GatherPlan gathering;
     gathering.views = node_views(table);
     gathering.grid = plan.grid;

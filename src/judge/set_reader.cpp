@@ -130,10 +130,10 @@ SetReader::SetReader(const std::filesystem::path& set)
     colors_.has_slope = has(Map::colorslope);
     if (has(Map::colorheight))
         colors_.models.push_back(ColorModel::height);
-    if (has(Map::colorheight) && has(Map::exponent))
-        colors_.models.push_back(ColorModel::exponent);
     if (has(Map::rank))
         colors_.models.push_back(ColorModel::rank);
+    if (has(Map::colorheight) && has(Map::exponent))
+        colors_.models.push_back(ColorModel::exponent);
     if (has(Map::map)) {
         colors_.models.push_back(ColorModel::map);
         colors_.map_by = manifest_.color_map->by;

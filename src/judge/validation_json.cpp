@@ -107,7 +107,8 @@ std::string to_json(const Validation& validation, const ValidationPlan& plan,
         json["tables"] = json_of(*validation.tables);
     if (!validation.without_views.empty())
         json["views_not_compared"] = validation.without_views;
-    return json.dump(2) + "\n";
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) +
+           "\n"; // names of files need not be UTF-8
 }
 
 } // namespace scree

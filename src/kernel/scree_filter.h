@@ -733,12 +733,13 @@ SCREE_FUNCTION Real scree_visible_area(Real z, Real a)
 
 /// Visible color by measured visibility: E[c v] / v, with v = 1 + a of at least 1/4,
 ///
-///   max(c + (beta - a c) / max(v, 1/4), 0)
+///   max(c + (beta - a c) / max(|v|, 1/4), 0)
 ///
 /// Where less than 1/4 is seen the mean color stands in for what is missing: with d = 1/4 this is
 /// (E[c v] + (d - v) c) / d. So it is continuous and finite for v = 0 and below, where harmonics
 /// and filters with negative lobes may take it, and a color that visibility does not depend on
-/// (beta = a c) is seen as it is, whatever a. A smaller d was measured to be worse on fine levels,
+/// (beta = a c) is seen as it is, whatever a. Far below 0, where nothing is known, the shift stays in
+/// proportion. A smaller d was measured to be worse on fine levels,
 /// where few harmonics ring the most, and no better on coarse ones.
 ///
 /// c        E[c];  beta, a  as above: all three filtered alike
@@ -747,7 +748,7 @@ SCREE_FUNCTION Real scree_visible_area(Real z, Real a)
 /// source   docs/filtering.md
 SCREE_FUNCTION Real scree_color_by_visibility(Real c, Real beta, Real a)
 {
-    return max(c + (beta - a * c) / max(LIT(1.0) + a, LIT(0.25)), LIT(0.0));
+    return max(c + (beta - a * c) / max(abs(LIT(1.0) + a), LIT(0.25)), LIT(0.0));
 }
 
 /// How much of what view and light both do to the color counts once, not twice.

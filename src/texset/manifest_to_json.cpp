@@ -175,6 +175,9 @@ Json manifest_to_json(const Manifest& m)
 
 } // namespace
 
-std::string to_json(const Manifest& manifest) { return manifest_to_json(manifest).dump(2) + "\n"; }
+std::string to_json(const Manifest& manifest)
+{ // JSON is UTF-8; names of files need not be
+    return manifest_to_json(manifest).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 } // namespace scree

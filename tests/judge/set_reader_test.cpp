@@ -90,8 +90,8 @@ TEST(SetReader, PutsTablesOfVisibilityWhereTheyBelong)
     SetReader set(temp / "set");
     const SetColors& colors = set.colors();
     EXPECT_EQ(colors.models,
-              (std::vector<ColorModel>{ColorModel::mean, ColorModel::height, ColorModel::exponent,
-                                       ColorModel::rank, ColorModel::visible}));
+              (std::vector<ColorModel>{ColorModel::mean, ColorModel::height, ColorModel::rank,
+                                       ColorModel::exponent, ColorModel::visible}));
     EXPECT_EQ(colors.best(), ColorModel::visible);
     ASSERT_EQ(colors.node_cosines.size(), 3U);
     EXPECT_NEAR(colors.node_cosines[0], 0.64278761, 1e-7);

@@ -266,8 +266,9 @@ void set_table_outputs(const KernelCase& row, Set&& set)
     const Real c = in[kTableC], beta = in[kBeta], v = 1 + Real(in[kA]), d = Real(1) / 4;
     set(kVisibleArea, v > 0 && cosine > 0 ? Real(v * cosine) : Real(0));
     const Real of_seen = c + beta; // E[c v]
-    const Real view =
-        std::max<Real>(0, v >= d ? Real(of_seen / v) : Real((of_seen + (d - v) * c) / d));
+    const Real view = std::max<Real>(0, v >= d    ? Real(of_seen / v)
+                                        : v >= -d ? Real((of_seen + (d - v) * c) / d)
+                                                  : Real(c - (of_seen - v * c) / v));
     set(kByVisibility, view);
     const Real horizontal = Real(in[kWox]) * in[kWix] + Real(in[kWoy]) * in[kWiy];
     const Real together = (9 + 8 * horizontal) / 20;

@@ -370,9 +370,9 @@ TEST(ColorByVisibility, StaysFiniteAndContinuousWhereNothingIsSeen)
     // From 1/4 on it is what is seen.
     for (const double v : {0.25, 0.3, 1.0})
         EXPECT_NEAR(kernel::scree_color_by_visibility(0.3, 0.8 * v - 0.3, v - 1), 0.8, 1e-14) << v;
-    double before = kernel::scree_color_by_visibility(0.3, -0.31, -1.2);
-    for (int i = 0; i < 8000; ++i) {
-        const double a = -1.2 + 1e-4 * i;
+    double before = kernel::scree_color_by_visibility(0.3, -0.31, -2.0);
+    for (int i = 0; i < 16000; ++i) {
+        const double a = -2 + 1e-4 * i;
         const double now = kernel::scree_color_by_visibility(0.3, -0.31, a);
         EXPECT_LT(std::abs(now - before), 4 * 0.8 * 1e-4) << a;
         EXPECT_GE(now, 0);
@@ -381,6 +381,15 @@ TEST(ColorByVisibility, StaysFiniteAndContinuousWhereNothingIsSeen)
     EXPECT_EQ(kernel::scree_color_by_visibility(0.3, -0.9, 0.2), 0) << "less than black";
     EXPECT_EQ(kernel::scree_visible_area(0.5, -1.2), 0);
     EXPECT_EQ(kernel::scree_visible_area(0.5, 0.5), 0.75);
+}
+
+// A series that rings to thousands below what can be seen, as of absurd slopes.
+TEST(ColorByVisibility, FarBelowNothingShiftsInProportion)
+{
+    for (const double v : {-1e3, -1e6})
+        EXPECT_NEAR(kernel::scree_color_by_visibility(0.3, 0.8 * v - 0.3, v - 1), 0, 1e-14) << v;
+    for (const double v : {-1e3, -1e6})
+        EXPECT_NEAR(kernel::scree_color_by_visibility(0.3, 0.1 * v - 0.3, v - 1), 0.5, 1e-9) << v;
 }
 
 TEST(ColorSeenAndLit, IsTheOneWhereTheOtherHidesNothing)

@@ -373,6 +373,13 @@ TEST(ManifestFile, ANumberThatIsNotOneIsReadAsAbsent)
     EXPECT_FALSE(read_manifest(temp.path()).levels[0].kurtosis.has_value());
 }
 
+TEST(Manifest, NamesThatAreNoUtf8AreTold)
+{
+    Manifest m = full_manifest();
+    m.warnings = {"h\xe9ights.exr"}; // Latin-1
+    EXPECT_NE(to_json(m).find("h\xef\xbf\xbdights.exr"), std::string::npos);
+}
+
 TEST(Manifest, TablesOfVisibilityHaveHarmonicsOrAxes)
 {
     TempFolder temp;
