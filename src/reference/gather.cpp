@@ -31,24 +31,31 @@ private:
 
     const DisplacedSurface& surface_;
     const GatherPlan& plan_;
+    std::vector<OwnMasking> masking_of_views_, masking_of_lights_;
     std::vector<MirrorLobe> lobes_; ///< views x lights
     std::vector<double> visible_;   ///< of each view at this sample: V W weight
+    std::vector<double> lambdas_;   ///< of each view that sees this sample
     long long rays_ = 0;
 };
 
 Gatherer::Gatherer(const DisplacedSurface& surface, const GatherPlan& plan)
-    : surface_(surface), plan_(plan), visible_(plan.views.size())
+    : surface_(surface), plan_(plan), visible_(plan.views.size()), lambdas_(plan.views.size())
 {
-    for (const Vec3& view : plan.views)
+    for (const Vec3& light : plan.lights)
+        masking_of_lights_.emplace_back(light, plan.base_alpha);
+    for (const Vec3& view : plan.views) {
+        masking_of_views_.emplace_back(view, plan.base_alpha);
         for (const Vec3& light : plan.lights)
             lobes_.emplace_back(view, light, plan.base_alpha);
+    }
 }
 
 bool Gatherer::add_views(GatherSums& sums, double s, double t, const SurfacePoint& point)
 {
     bool any = false;
     for (size_t v = 0; v < plan_.views.size(); ++v) {
-        const double area = point.weight * towards(plan_.views[v], point.slope);
+        const double facing = towards(plan_.views[v], point.slope);
+        const double area = point.weight * facing;
         visible_[v] = 0;
         if (!(area > 0))
             continue;
@@ -57,6 +64,7 @@ bool Gatherer::add_views(GatherSums& sums, double s, double t, const SurfacePoin
         if (!is_open(s, t, plan_.views[v]))
             continue;
         visible_[v] = area;
+        lambdas_[v] = masking_of_views_[v].lambda(facing);
         any = true;
         seen.area += area;
         for (size_t c = 0; c < 3; ++c)
@@ -69,8 +77,9 @@ bool Gatherer::add_views(GatherSums& sums, double s, double t, const SurfacePoin
 /// Adds what a light, which reaches the point, shows of it to every view.
 void Gatherer::add_light(GatherSums& sums, size_t light, const SurfacePoint& point)
 {
-    const double normal_length = std::sqrt(1 + point.slope.length2());
-    const double cosine = towards(plan_.lights[light], point.slope) / normal_length;
+    const double facing = towards(plan_.lights[light], point.slope);
+    const double cosine = facing / std::sqrt(1 + point.slope.length2());
+    const double lambda = masking_of_lights_[light].lambda(facing);
     for (size_t v = 0; v < plan_.views.size(); ++v) {
         if (!(visible_[v] > 0))
             continue;
@@ -82,7 +91,7 @@ void Gatherer::add_light(GatherSums& sums, size_t light, const SurfacePoint& poi
             lit.diffuse[c] += visible_[v] * point.color[c] * cosine;
         }
         lit.white += visible_[v] * cosine;
-        lit.specular += point.weight * lobes_[pair].at(point.slope);
+        lit.specular += point.weight * lobes_[pair].at(point.slope, lambdas_[v], lambda);
     }
 }
 

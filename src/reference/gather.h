@@ -30,7 +30,7 @@ struct Lit {
     Rgb color{};      ///< E[Vo Vi W c] / E[Vo Vi W]: of what is seen and open to the light
     Rgb diffuse{};    ///< E[Vo Vi W c max(0, n . wi)] / (pi E[Vo W]): radiance over irradiance
     double white = 0; ///< that of a white surface: diffuse / white is the color that is seen lit
-    double specular = 0; ///< E[Vo Vi p(slope of h - slope)] / (4 h.z^4 E[Vo W]), likewise
+    double specular = 0; ///< E[Vo Vi G2 p(slope of h - slope)] / (4 h.z^4 E[Vo W]), likewise
 };
 
 /// Radiance over irradiance of facets that mirror the share f0 of the light.
@@ -45,7 +45,7 @@ struct Gathered {
 struct GatherPlan {
     std::vector<Vec3> views, lights; ///< unit, away from the surface, z > 0
     /// Beckmann roughness of the facets: each has Gaussian slopes of variance base_alpha^2 / 2
-    /// about its own. > 0
+    /// about its own, which hide the share 1 - G2 of each other (facet.h). > 0
     double base_alpha = 0.2;
     int grid = 32;     ///< grid x grid jittered samples a footprint
     uint64_t seed = 1; ///< equal seeds, equal numbers, whatever the threads

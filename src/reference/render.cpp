@@ -63,7 +63,8 @@ void Renderer::add(RadianceSums& sums, const Ray& ray)
     ++rays_;
     const auto hit = surface_.hit(ray.origin, ray.direction);
     const SurfacePoint point = hit ? surface_.at(hit->s, hit->t) : SurfacePoint{};
-    const double facing = towards(-ray.direction, point.slope);
+    const Vec3 view = -ray.direction;
+    const double facing = towards(view, point.slope);
     // Within rounding of an edge a ray may be taken to the face behind it; such a one does not
     // count.
     if (point.weight > 0 && !(facing > 0))
@@ -83,8 +84,10 @@ void Renderer::add(RadianceSums& sums, const Ray& ray)
         sums.sum.diffuse[c] += point.weight * point.color[c] * cosine / kPi;
     // Of each ray what gather() takes of each sample of the plane, which sees a facet in proportion
     // to its projected area.
-    const MirrorLobe lobe(-ray.direction, plan_.light, plan_.base_alpha);
-    sums.sum.specular += point.weight * lobe.at(point.slope) / facing;
+    const double lambda_o = OwnMasking(view, plan_.base_alpha).lambda(facing);
+    const double lambda_i = OwnMasking(plan_.light, plan_.base_alpha).lambda(lit);
+    const MirrorLobe lobe(view, plan_.light, plan_.base_alpha);
+    sums.sum.specular += point.weight * lobe.at(point.slope, lambda_o, lambda_i) / facing;
 }
 
 RenderedPixel Renderer::pixel(int column, int row)

@@ -19,22 +19,10 @@ namespace {
 SurfaceSlopeFigures measure(const Asset& asset, double slope, const SlopeViews& views)
 {
     const reference::DisplacedSurface surface = white_and_gray(asset);
-    SurfaceSlopeFigures figures{asset.name, slope, {}, {}};
-    const std::vector<SlopesOfSize> sizes = see_slopes(asset, surface, views);
-    for (const SlopesOfSize& size : sizes)
+    SurfaceSlopeFigures figures{asset.name, slope, {}};
+    for (const SlopesOfSize& size : see_slopes(asset, surface, views))
         figures.sizes.push_back(measure_slopes(size, views, slope));
-    figures.base = measure_base_masking(surface, sizes.back(), views);
     return figures;
-}
-
-BaseMaskingFigures measure_plane(const SlopeViews& views)
-{
-    const Asset asset = with_heights_scaled(sample_asset("sine", 64), 0);
-    const reference::DisplacedSurface surface = white_and_gray(asset);
-    SlopesOfSize map;
-    map.baked = {filter::Slopes<double>{}};
-    map.places = {reference::footprint_of(asset.relief.width, asset.relief.height, 6, 0, 0)};
-    return measure_base_masking(surface, map, views);
 }
 
 void run(const std::string& data)
@@ -46,7 +34,7 @@ void run(const std::string& data)
         for (const double slope : {0.1, 0.3, 0.6})
             all.push_back(measure(with_heights_scaled(asset, slope / as_it_is), slope, views));
     }
-    print_slope_figures(all, measure_plane(views), views);
+    print_slope_figures(all, views);
 }
 
 } // namespace

@@ -69,10 +69,6 @@ private:
     SlopeGain gain_;
 };
 
-constexpr std::array<Figure, 2> kSpecular = {Figure::specular, Figure::smooth};
-constexpr std::array<Figure, 2> kSpecularByMoments = {Figure::specular_by_moments,
-                                                      Figure::smooth_by_moments};
-
 void SlopeComparison::for_all(const std::function<void(const Place&)>& work) const
 {
     for (size_t i = 0; i < size_.baked.size(); ++i)

@@ -26,6 +26,11 @@ enum class Figure {
 };
 constexpr size_t kFigures = static_cast<size_t>(Figure::count);
 
+/// Of each of kBaseAlphas.
+constexpr std::array<Figure, 2> kSpecular = {Figure::specular, Figure::smooth};
+constexpr std::array<Figure, 2> kSpecularByMoments = {Figure::specular_by_moments,
+                                                      Figure::smooth_by_moments};
+
 /// Squares of errors and of what they are relative to.
 struct Score {
     double error = 0, truth = 0;

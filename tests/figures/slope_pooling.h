@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "figures/slope_base_masking.h"
 #include "figures/slope_measure.h"
 
 namespace scree::test {
@@ -14,7 +13,6 @@ struct SurfaceSlopeFigures {
     std::string surface;
     double slope = 0;                    ///< rms length
     std::vector<SlopeSizeFigures> sizes; ///< of see_slopes()
-    BaseMaskingFigures base;
 };
 using SurfacesSlopeFigures = std::vector<SurfaceSlopeFigures>;
 

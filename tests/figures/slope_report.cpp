@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+
+#include "figures/slope_plane_albedo.h"
+#include "figures/slope_two_scales.h"
 
 namespace scree::test {
 namespace {
@@ -237,34 +241,34 @@ void print_surfaces(const Surfaces& all)
                  {"kernel", "kernel", Figure::specular}});
 }
 
-void print_base(const Surfaces& all, const BaseMaskingFigures& plane, const SlopeViews& views,
-                size_t base)
+void print_base(const Surfaces& all, const SlopeViews& views, size_t base)
 {
+    const double alpha = kBaseAlphas[base];
     fmt::print("\nSpecular radiance of whole maps, base roughness {:g}, error in % of its rms, "
                "over surfaces: of the kernel, and with the base in the lobe but not in the "
-               "masking, against facets that hide nothing of themselves (the reference "
-               "renderer's), and against facets that do.\n\n",
-               kBaseAlphas[base]);
-    print_head({"slope", "angle", "kernel", "kernel, base not masking", "kernel, facets masked",
-                "kernel, base not masking, facets masked"});
-    for (const double slope : {0.0, 0.1, 0.3, 0.6})
+               "masking. Two scales: of both, against facets with Gaussian slopes and Smith's "
+               "masking on top of their own.\n\n",
+               alpha);
+    const Ways ways = {"kernel", "kernel, base not masking", "noise"};
+    print_head(
+        with(with({"slope", "angle"}, ways), {"two scales: kernel", "kernel, base not masking"}));
+    for (const double slope : {0.1, 0.3, 0.6}) {
+        Surfaces of_slope;
+        std::copy_if(all.begin(), all.end(), std::back_inserter(of_slope),
+                     [slope](const auto& surface) { return surface.slope == slope; });
+        const ScoresOfAngles kernel = kernel_on_two_scales(slope, alpha, views, true);
+        const ScoresOfAngles bare = kernel_on_two_scales(slope, alpha, views, false);
         for (const size_t angle : kNodeAngles) {
-            std::array<Pooled, 4> sums;
-            auto add = [&](const BaseMaskingFigures& figures) {
-                const BaseMaskingFigures::OfBase& of = figures.bases[base];
-                sums[0].add(rms(of.kernel, {angle}));
-                sums[1].add(rms(of.kernel_bare, {angle}));
-                sums[2].add(rms(of.kernel_masked, {angle}));
-                sums[3].add(rms(of.kernel_bare_masked, {angle}));
-            };
-            if (slope == 0)
-                add(plane);
-            for (const SurfaceSlopeFigures& surface : all)
-                if (surface.slope == slope)
-                    add(surface.base);
-            print_row({fmt::format("{:g}", slope), fmt::format("{:g}", views.angles_deg[angle]),
-                       sums[0].text(), sums[1].text(), sums[2].text(), sums[3].text()});
+            Cells cells = {fmt::format("{:g}", slope),
+                           fmt::format("{:g}", views.angles_deg[angle])};
+            for (const std::string& way : ways)
+                cells.push_back(
+                    pooled(of_slope, way, {"", kSizeMap, kSpecular[base], {angle}}).text());
+            cells.push_back(percent(rms(kernel, {angle})));
+            cells.push_back(percent(rms(bare, {angle})));
+            print_row(cells);
         }
+    }
 }
 
 void print_plane(const SlopeViews& views)
@@ -286,8 +290,7 @@ void print_plane(const SlopeViews& views)
 
 } // namespace
 
-void print_slope_figures(const Surfaces& all, const BaseMaskingFigures& plane,
-                         const SlopeViews& views)
+void print_slope_figures(const Surfaces& all, const SlopeViews& views)
 {
     fmt::print("Rms / largest over {} surfaces and slopes; all nodes where no angle is named.\n",
                all.size());
@@ -296,7 +299,7 @@ void print_slope_figures(const Surfaces& all, const BaseMaskingFigures& plane,
     print_payment(all, "at the nodes", kNodeAngles);
     print_payment(all, "between the nodes", kAnglesBetween);
     for (size_t base = 0; base < kBaseAlphas.size(); ++base)
-        print_base(all, plane, views, base);
+        print_base(all, views, base);
     print_plane(views);
     print_surfaces(all);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/facet.h"
+
 namespace scree::test {
 namespace {
 
@@ -66,9 +68,14 @@ double specular_of(const SeenSlopes& seen, double open, const Vec3& wo, const Ve
     const auto& [ss, st, tt] = seen.covariance;
     const Vec2 facet =
         seen.mean + Vec2(ss * solved.x + st * solved.y, st * solved.x + tt * solved.y);
-    const double area = std::max(facing(wo, facet), facing(wo, seen.mean) / 4);
-    return area > 0 ? open * density(mirror.slope, seen.mean, rough) * mirror.per_density / area
-                    : 0;
+    const auto shown = [&](const Vec3& w) {
+        return std::max(facing(w, facet), facing(w, seen.mean) / 4);
+    };
+    if (!(shown(wo) > 0 && shown(wi) > 0))
+        return 0;
+    const double own_g2 = 1 / (1 + reference::OwnMasking(wo, base_alpha).lambda(shown(wo)) +
+                               reference::OwnMasking(wi, base_alpha).lambda(shown(wi)));
+    return open * own_g2 * density(mirror.slope, seen.mean, rough) * mirror.per_density / shown(wo);
 }
 
 double specular_without_base_masking(const Vec3& wo, const Vec3& wi,

@@ -16,12 +16,13 @@ double diffuse_of(const SeenSlopes& seen, double open, const Vec3& wi);
 
 /// Specular radiance over irradiance without Fresnel, from visible slopes:
 ///
-///   open E_vis[p(slope of h - slope) / W] / (4 h.z^4)
+///   open E_vis[p(slope of h - slope) G2 / W] / (4 h.z^4)
 ///
-/// of facets that mirror as the reference renderer's do (p Gaussian, variance base_alpha^2 / 2),
-/// with the visible slopes taken as the Gaussian of their mean and covariance. W, the area that a
-/// facet shows, is taken where the product of the two Gaussians has its mean, and at least a
-/// quarter of that of the mean slope: the Gaussian does not vanish where W does.
+/// of facets that mirror as the reference renderer's do (p Gaussian, variance base_alpha^2 / 2, G2
+/// Smith's of it about the facet), with the visible slopes taken as the Gaussian of their mean and
+/// covariance. W, the area that a facet shows, and G2 are taken where the product of the two
+/// Gaussians has its mean, with areas at least a quarter of those of the mean slope: the Gaussian
+/// does not vanish where W does.
 double specular_of(const SeenSlopes& seen, double open, const Vec3& wo, const Vec3& wi,
                    double base_alpha);
 

@@ -9,12 +9,14 @@
 #include "math/error.h"
 #include "reference/gathered.h"
 #include "reference/reliefs.h"
+#include "reference/rough_plane.h"
 
 namespace scree::reference {
 namespace {
 
 using test::direction;
 using test::kPi;
+using test::radians;
 using test::values;
 using test::whole;
 
@@ -23,17 +25,6 @@ Relief ramp(double slope_s, double slope_t)
     Relief relief = test::relief_of(8, 5, [&](int x, int y) { return slope_s * x + slope_t * y; });
     relief.beyond_s = relief.beyond_t = Beyond::extends;
     return relief;
-}
-
-/// Radiance over irradiance of facets with Gaussian slopes about the plane's, none hidden.
-double specular_of_plane(const Vec3& wo, const Vec3& wi, const Vec2& slope, double base_alpha)
-{
-    const Vec3 h = (wo + wi).normalized();
-    const Vec2 away = Vec2(-h.x / h.z, -h.y / h.z) - slope;
-    const double variance = base_alpha * base_alpha / 2;
-    const double density = std::exp(-away.length2() / (2 * variance)) / (2 * kPi * variance);
-    const double projected = wo.z - wo.x * slope.x - wo.y * slope.y;
-    return density / (4 * std::pow(h.z, 4) * projected);
 }
 
 TEST(Gather, PlanesAreSeenWhole)
@@ -69,36 +60,53 @@ TEST(Gather, PlanesAreSeenWhole)
                     EXPECT_EQ(lit.share, cosine > 0 ? 1 : 0) << v << " " << l;
                     EXPECT_NEAR(lit.diffuse[0], std::max(0.0, cosine) / kPi, 1e-13) << v;
                     EXPECT_EQ(lit.white, lit.diffuse[0]) << v; // the plane is white
-                    const double specular = specular_of_plane(w, light, slope, plan.base_alpha);
-                    EXPECT_NEAR(lit.specular, cosine > 0 ? specular : 0, 1e-12 * specular) << v;
+                    const double specular =
+                        cosine > 0 ? test::mirrored_by_plane(w, light, slope, plan.base_alpha) : 0;
+                    EXPECT_NEAR(lit.specular, specular, 1e-12 * specular) << v << " " << l;
                 }
             }
         }
 }
 
-// A flat plane seen from above: the light mirrored by the facets of one slope is weighted by their
-// share, so over all lights, 4 (wo . h) of solid angle for one of h, it adds up to
-//   integral of D(h) h.z dh = 1,
-// short of the facets that send it below the horizon, exp(-1 / alpha^2) = 1e-11 of them.
-TEST(Gather, SpecularLightAddsUpToWhatTheFacetsCover)
+/// Share of the light from a direction that a plane of perfect mirrors gives back above the
+/// texture plane; by exchange of view and light, which a BRDF does not feel.
+double albedo(const Vec3& wo, const Vec2& slope, double base_alpha)
 {
-    const Relief relief = test::relief_of(1, 1, [](int, int) { return 2.0; });
-    const DisplacedSurface surface(relief);
+    constexpr int kSteps = 120; // midpoints, of both angles
     GatherPlan plan;
     plan.grid = 1;
-    plan.base_alpha = 0.2;
-    plan.views = {direction(0, 0)};
+    plan.base_alpha = base_alpha;
+    plan.views = {wo};
+    std::vector<double> solid_angles;
+    for (int i = 0; i < kSteps; ++i)
+        for (int j = 0; j < 2 * kSteps; ++j) {
+            const double theta = 90 * (i + 0.5) / kSteps;
+            plan.lights.push_back(direction(theta, 180 * (j + 0.5) / kSteps));
+            solid_angles.push_back(std::sin(radians(theta)) * kPi / 2 / kSteps * kPi / kSteps);
+        }
+    const Relief relief = ramp(slope.x, slope.y);
+    const Gathered all = gather(DisplacedSurface(relief), whole(relief), plan, 0).all;
     double sum = 0;
-    constexpr int kSteps = 1000; // midpoints; a smooth function that ends at 0 on both sides
-    for (int k = 0; k < kSteps; ++k) {
-        const double theta = (k + 0.5) / kSteps * kPi / 4;
-        plan.lights = {direction(2 * theta * 180 / kPi, 77)};
-        const double solid_angle = 2 * kPi * std::sin(theta) * kPi / 4 / kSteps;
-        // 4 (wo . h) h.z with wo = (0, 0, 1)
-        sum += gather(surface, whole(relief), plan, 0).all.lit[0].specular * 4 * std::cos(theta) *
-               std::cos(theta) * solid_angle / std::cos(theta);
-    }
-    EXPECT_NEAR(sum, 1, 1e-5);
+    for (size_t l = 0; l < solid_angles.size(); ++l)
+        sum += all.lit[l].specular * solid_angles[l];
+    return sum;
+}
+
+// From above nothing is hidden of the view, and little lies in shadow. Anywhere else a plane must
+// not give more light than it gets, and loses at most what meets another facet.
+TEST(Gather, PlanesMirrorNoMoreLightThanTheyGet)
+{
+    EXPECT_NEAR(albedo(direction(0, 0), {0, 0}, 0.2), 1, 0.005);
+    const Vec2 slopes[] = {{0, 0}, {0.25, 0}, {-0.25, 0.125}};
+    for (const Vec2& slope : slopes)
+        for (const double theta : {0.0, 55.0, 74.0, 84.0, 87.0}) {
+            const Vec3 wo = direction(theta, 180);
+            if (wo.z - wo.x * slope.x < 0.02)
+                continue; // turned away
+            const double share = albedo(wo, slope, 0.3);
+            EXPECT_LE(share, 1) << theta << " slope " << slope.x;
+            EXPECT_GT(share, 0.5) << theta << " slope " << slope.x;
+        }
 }
 
 TEST(Gather, WhereNothingIsSeenAllIsZero)

@@ -7,6 +7,7 @@
 #include "reference/gather.h"
 #include "reference/gathered.h"
 #include "reference/reliefs.h"
+#include "reference/rough_plane.h"
 
 namespace scree::reference {
 namespace {
@@ -127,12 +128,7 @@ TEST(Grooves, LightAcrossHasItsClosedForm)
         EXPECT_NEAR(lit.diffuse[2 * l], (length - 0.5) / 16 * cosine / kPi, kAccuracy);
         EXPECT_NEAR(lit.white, length / 16 * cosine / kPi, kAccuracy);
 
-        const Vec3 h = (wo + wi).normalized();
-        const double away_s = -h.x / h.z - slope, away_t = -h.y / h.z;
-        const double variance = 0.3 * 0.3 / 2;
-        const double density =
-            std::exp(-(away_s * away_s + away_t * away_t) / (2 * variance)) / (2 * kPi * variance);
-        const double each = density / (4 * std::pow(h.z, 4) * wo.z);
+        const double each = test::mirrored_by_plane(wo, wi, {slope, 0}, plan.base_alpha);
         EXPECT_NEAR(lit.specular, share * each, kAccuracy * each);
     }
 }
