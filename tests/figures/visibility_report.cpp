@@ -79,17 +79,15 @@ void print_worse(const std::vector<SurfaceFigures>& all, const AllViews& views)
     }
 }
 
-/// The fewest harmonics of a table that leave a tenth of what the mean color does.
-std::string harmonics_enough(const std::vector<std::string>& models, const SizeFigures& size)
+/// The first table that leaves a tenth of what the mean color does.
+std::string table_enough(const std::vector<std::string>& models, const SizeFigures& size)
 {
-    int harmonics = 0;
+    const std::string table = "table ";
     for (size_t m = 0; m < models.size(); ++m)
-        if (models[m].rfind("table", 0) == 0) {
-            if (pooled(size.squares[m]) <= 0.1 * pooled(size.squares.front()))
-                return std::to_string(harmonics);
-            ++harmonics;
-        }
-    return "more";
+        if (models[m].rfind(table, 0) == 0 &&
+            pooled(size.squares[m]) <= 0.1 * pooled(size.squares.front()))
+            return models[m].substr(table.size());
+    return "none";
 }
 
 /// Figures of one surface, at all slopes.
@@ -98,13 +96,13 @@ using OneSurface = std::vector<const SurfaceFigures*>;
 void print_pooled(const OneSurface& slopes)
 {
     const std::vector<std::string>& models = slopes.front()->models;
-    print_head(joined(joined({"slope", "footprint"}, models), {"noise", "harmonics for 1/10"}));
+    print_head(joined(joined({"slope", "footprint"}, models), {"noise", "table for 1/10"}));
     for (const SurfaceFigures* figures : slopes)
         for (const SizeFigures& size : figures->sizes) {
             std::vector<std::string> cells = {fmt::format("{}", figures->slope), size.footprint};
             for (const SquaresOfAngles& squares : size.squares)
                 cells.push_back(percent(pooled(squares)));
-            print_row(joined(cells, {percent(pooled(size.noise)), harmonics_enough(models, size)}));
+            print_row(joined(cells, {percent(pooled(size.noise)), table_enough(models, size)}));
         }
 }
 
