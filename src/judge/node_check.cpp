@@ -53,7 +53,7 @@ Moments stored_moments(const SetTexel& texel, const SetColors& colors,
         const auto told = visibility_of(texel, colors, Vec3f(w));
         moments[0] += static_cast<double>(told.a);
         for (int c = 0; c < 3; ++c)
-            moments[static_cast<size_t>(1 + c)] += static_cast<double>(told.beta[c]);
+            moments[1 + static_cast<size_t>(c)] += static_cast<double>(told.beta[c]);
     }
     for (double& moment : moments)
         moment /= static_cast<double>(azimuths);

@@ -44,8 +44,8 @@ struct SetColors {
     bool axes = false;                  ///< likewise; instead of harmonics
     float axis_s = 1, axis_t = 0;       ///< the first of them
 
-    /// What a renderer would take: tables of visibility, the table of a color map, the line with the
-    /// measured exponent, ranks, the line with Smith's, the mean.
+    /// What a renderer would take: tables of visibility, the table of a color map, the line with
+    /// the measured exponent, ranks, the line with Smith's, the mean.
     [[nodiscard]] ColorModel best() const { return models.back(); }
 
     /// Whether a renderer adds the correlation with slope: a color map by slope has it already, and

@@ -738,9 +738,9 @@ SCREE_FUNCTION Real scree_visible_area(Real z, Real a)
 /// Where less than 1/4 is seen the mean color stands in for what is missing: with d = 1/4 this is
 /// (E[c v] + (d - v) c) / d. So it is continuous and finite for v = 0 and below, where harmonics
 /// and filters with negative lobes may take it, and a color that visibility does not depend on
-/// (beta = a c) is seen as it is, whatever a. Far below 0, where nothing is known, the shift stays in
-/// proportion. A smaller d was measured to be worse on fine levels,
-/// where few harmonics ring the most, and no better on coarse ones.
+/// (beta = a c) is seen as it is, whatever a. Far below 0, where nothing is known, the shift stays
+/// in proportion. A smaller d was measured to be worse on fine levels, where few harmonics ring the
+/// most, and no better on coarse ones.
 ///
 /// c        E[c];  beta, a  as above: all three filtered alike
 /// returns  at least 0

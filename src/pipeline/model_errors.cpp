@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 #include "kernel/filter.h"
 #include "kernel/visibility_table.h"
@@ -150,9 +151,8 @@ void ModelErrors::add_table(const VisibilityPlan& measured, int first_plane,
 void ModelErrors::add_tables(const VisibilityPlan& measured, int first_plane)
 {
     const int count = static_cast<int>(measured.node_angles_deg.size());
-    std::vector<int> all;
-    for (int node = 0; node < count; ++node)
-        all.push_back(node);
+    std::vector<int> all(static_cast<size_t>(count));
+    std::iota(all.begin(), all.end(), 0);
     if (measured.axes)
         add_table(measured, first_plane, all, 0);
     for (int harmonics = 0; harmonics <= measured.harmonics && !measured.axes; ++harmonics) {

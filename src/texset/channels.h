@@ -49,8 +49,8 @@ constexpr int kDefaultNodes = 4;
 constexpr int kMostVisibleChannels = 4 * 6 * (1 + 2 * 2);
 
 /// The first level of a table of visibility that holds anything. A texel of level 0 has one color,
-/// which is seen as it is whatever hides it: zeros tell that, and are three quarters of the file that
-/// compress to nothing.
+/// which is seen as it is whatever hides it: zeros tell that, and are three quarters of the file
+/// that compress to nothing.
 constexpr int kFirstSeenLevel = 1;
 
 /// Channels of a table of visibility, node by node, as they sort: 1A 1B 1G 1R of the mean over the

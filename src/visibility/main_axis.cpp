@@ -34,7 +34,9 @@ double main_axis_deg(const HeightGrid& heights)
         heights.read(0, -1, y - 1, columns, 3, rows.data());
         for (int x = 0; x < shape.width; ++x) {
             const auto at = [&](int column, int row) {
-                return static_cast<double>(rows[static_cast<size_t>(row * columns + x + column)]);
+                return static_cast<double>(
+                    rows[static_cast<size_t>(row) * static_cast<size_t>(columns) +
+                         static_cast<size_t>(x + column)]);
             };
             double s = 0, t = 0;
             for (int i = 0; i < 3; ++i) {

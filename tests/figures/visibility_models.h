@@ -37,7 +37,8 @@ ColorOfView table_color(const VisibilityRecord& record, int harmonics);
 /// A table along axes.
 ColorOfView axes_color(const VisibilityRecord& record);
 
-/// As table_color(), all harmonics, between its nodes linear in another coordinate than the kernel's.
+/// As table_color(), all harmonics, between its nodes linear in another coordinate than the
+/// kernel's.
 ///
 /// coordinate  of the cosine of the angle from the normal, in (0, 1]; strictly falling
 ColorOfView table_color_along(const VisibilityRecord& record, const std::string& name,

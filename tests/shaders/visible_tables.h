@@ -12,7 +12,7 @@ namespace scree::test {
 /// NAME.visible.exr: visibility tables of a set.
 struct VisibleTables {
     std::vector<float> cosines; ///< of the nodes, falling
-    int harmonics = 0; ///< -1: along axes
+    int harmonics = 0;          ///< -1: along axes
     float axis_cosine = 0.8F, axis_sine = -0.6F;
     std::vector<Image> levels;
 
