@@ -125,7 +125,8 @@ MomentLayout moments_for(const std::vector<Map>& maps, const TableSizes& tables,
     set.height = set.height && source.has_heights();
     const bool mapped_by_slope = !options.colormap_file.empty() && options.map_by != MapBy::height;
     const bool has_table = std::find(maps.begin(), maps.end(), Map::map) != maps.end();
-    set.slope = set.slope || ((set.color || has_table) && mapped_by_slope);
+    // Models of color go by the slopes, too.
+    set.slope = set.slope || views > 0 || ((set.color || has_table) && mapped_by_slope);
     return MomentLayout(set);
 }
 

@@ -277,6 +277,22 @@ TEST(VisibilityTable, EveryLevelSaysWhatTheModelsLeaveAndNoneIsWorseThanTheMean)
     }
 }
 
+// Smith's exponent, which models are measured with, takes slopes that the set need not hold.
+TEST(VisibilityTable, ModelsAreMeasuredAlikeWithoutAMapOfSlopes)
+{
+    TempFolder temp;
+    BakeOptions options;
+    options.maps = {Map::height, Map::color, Map::colorheight, Map::visible};
+    const Manifest without = bake_memory(temp / "without", snowy(), options);
+    options.maps.push_back(Map::slope);
+    const Manifest with = bake_memory(temp / "with", snowy(), options);
+    for (size_t l = 1; l < with.levels.size(); ++l)
+        for (size_t m = 0; m < with.levels[l].model_errors.size(); ++m)
+            EXPECT_EQ(without.levels[l].model_errors.at(m).error,
+                      with.levels[l].model_errors[m].error)
+                << l << " " << with.levels[l].model_errors[m].model;
+}
+
 TEST(VisibilityTable, BytesDoNotDependOnTheNumberOfThreads)
 {
     std::string first;
