@@ -36,59 +36,57 @@ struct ScreeNodes {
     vec2 axis;       // scree:axisCosine, scree:axisSine; of tables along axes
 };
 
-/// The nodes on both sides of a direction, and their shares. Before the first node there is none
-/// (share 0): the same one again, since all pixels must take the same path to have derivatives.
-struct ScreeNodePlace {
+/// A term that a direction reads: its layers of the nodes on both sides, and their weights. Before
+/// the first node there is none (weight 0): the same one again, since all pixels must take the same
+/// path to have derivatives.
+struct ScreeTerm {
     int inner, outer;
-    float inner_share, outer_share;
+    float inner_weight, outer_weight;
 };
 
-/// z  cosine of the angle that nodes are looked up with
-ScreeNodePlace scree_node_place(ScreeNodes nodes, float z)
+/// How many terms a direction reads.
+int scree_term_count(ScreeNodes nodes)
 {
-    ScreeNodePlace at;
-    at.outer = 0;
-    float before = 1.0;
-    while (at.outer + 1 < nodes.count && z < nodes.cosine[at.outer]) {
-        before = nodes.cosine[at.outer];
-        ++at.outer;
-    }
-    at.inner = max(at.outer - 1, 0);
-    at.outer_share = scree_node_share(z, before, nodes.cosine[at.outer]);
-    at.inner_share = at.outer > 0 ? 1.0 - at.outer_share : 0.0;
-    return at;
+    return nodes.harmonics < 0 ? 3 : 1 + 2 * nodes.harmonics;
 }
 
-/// One of the terms of a node that a direction reads.
-struct ScreeTerm {
-    int index;    // among those of a node
-    float weight; // what it is multiplied with
-    float z;      // cosine of the angle that nodes are looked up with
-};
-
-/// The terms of a direction, number j of 1 + 2 harmonics, along axes of 3.
+/// Number j of the terms that a direction reads.
 ScreeTerm scree_table_term(ScreeNodes nodes, vec3 w, int j)
 {
-    ScreeTerm term;
-    term.index = j;
-    term.weight = 1.0;
-    term.z = w.z;
-    if (j == 0)
-        return term;
+    int terms = 1 + 2 * nodes.harmonics; // of a node
+    int index = j;
+    float weight = 1.0;
+    float z = w.z; // cosine of the angle that nodes are looked up with
     if (nodes.harmonics < 0) {
+        terms = 5;
         float along = j == 1 ? w.x * nodes.axis.x + w.y * nodes.axis.y
                              : w.y * nodes.axis.x - w.x * nodes.axis.y;
-        term.index = 2 * j - (along < 0.0 ? 1 : 0);
-        term.z = scree_axis_cosine(along, w.z);
-        return term;
+        if (j > 0) {
+            index = 2 * j - (along < 0.0 ? 1 : 0);
+            z = scree_axis_cosine(along, w.z);
+        }
+    } else if (j > 0) {
+        float c1 = 0.0, c2 = 0.0, s1 = 0.0, s2 = 0.0;
+        scree_azimuth_harmonics(w.x, w.y, c1, c2, s1, s2);
+        bool twice = (j - 1) % nodes.harmonics == 1;
+        if (j > nodes.harmonics)
+            weight = twice ? s2 : s1;
+        else
+            weight = twice ? c2 : c1;
     }
-    float c1 = 0.0, c2 = 0.0, s1 = 0.0, s2 = 0.0;
-    scree_azimuth_harmonics(w.x, w.y, c1, c2, s1, s2);
-    bool twice = (j - 1) % nodes.harmonics == 1;
-    if (j > nodes.harmonics)
-        term.weight = twice ? s2 : s1;
-    else
-        term.weight = twice ? c2 : c1;
+
+    int outer = 0;
+    float before = 1.0;
+    while (outer + 1 < nodes.count && z < nodes.cosine[outer]) {
+        before = nodes.cosine[outer];
+        ++outer;
+    }
+    float share = scree_node_share(z, before, nodes.cosine[outer]);
+    ScreeTerm term;
+    term.outer = terms * outer + index;
+    term.inner = terms * max(outer - 1, 0) + index;
+    term.outer_weight = weight * share;
+    term.inner_weight = outer > 0 ? weight * (1.0 - share) : 0.0;
     return term;
 }
 
@@ -96,17 +94,11 @@ ScreeTerm scree_table_term(ScreeNodes nodes, vec3 w, int j)
 /// lookups a layer of a node; along axes six.
 vec4 scree_visibility(sampler2DArray visible, ScreeNodes nodes, vec2 st, vec3 w)
 {
-    bool along_axes = nodes.harmonics < 0;
-    int terms = along_axes ? 5 : 1 + 2 * nodes.harmonics;
-    ScreeNodePlace at = scree_node_place(nodes, w.z);
     vec4 sum = vec4(0.0);
-    for (int j = 0; j < (along_axes ? 3 : terms); ++j) {
+    for (int j = 0; j < scree_term_count(nodes); ++j) {
         ScreeTerm term = scree_table_term(nodes, w, j);
-        if (along_axes)
-            at = scree_node_place(nodes, term.z);
-        vec4 inner = texture(visible, vec3(st, float(terms * at.inner + term.index)));
-        vec4 outer = texture(visible, vec3(st, float(terms * at.outer + term.index)));
-        sum += term.weight * (at.inner_share * inner + at.outer_share * outer);
+        sum += term.inner_weight * texture(visible, vec3(st, float(term.inner)));
+        sum += term.outer_weight * texture(visible, vec3(st, float(term.outer)));
     }
     return sum;
 }
@@ -114,17 +106,11 @@ vec4 scree_visibility(sampler2DArray visible, ScreeNodes nodes, vec2 st, vec3 w)
 /// The same at a given level.
 vec4 scree_visibility_lod(sampler2DArray visible, ScreeNodes nodes, vec2 st, vec3 w, float lod)
 {
-    bool along_axes = nodes.harmonics < 0;
-    int terms = along_axes ? 5 : 1 + 2 * nodes.harmonics;
-    ScreeNodePlace at = scree_node_place(nodes, w.z);
     vec4 sum = vec4(0.0);
-    for (int j = 0; j < (along_axes ? 3 : terms); ++j) {
+    for (int j = 0; j < scree_term_count(nodes); ++j) {
         ScreeTerm term = scree_table_term(nodes, w, j);
-        if (along_axes)
-            at = scree_node_place(nodes, term.z);
-        vec4 inner = textureLod(visible, vec3(st, float(terms * at.inner + term.index)), lod);
-        vec4 outer = textureLod(visible, vec3(st, float(terms * at.outer + term.index)), lod);
-        sum += term.weight * (at.inner_share * inner + at.outer_share * outer);
+        sum += term.inner_weight * textureLod(visible, vec3(st, float(term.inner)), lod);
+        sum += term.outer_weight * textureLod(visible, vec3(st, float(term.outer)), lod);
     }
     return sum;
 }

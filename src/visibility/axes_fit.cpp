@@ -15,8 +15,8 @@ constexpr double kRadian = 3.14159265358979323846 / 180;
 /// Measured on whole maps: 0.001 and 0.1 leave more [docs/visibility.md].
 constexpr double kRidge = 0.01;
 
-/// The first sampled angle, of the first node.
-constexpr double kFirstShare = 0.8;
+/// The angle before the first node that the first sampled one lies halfway to, of that node.
+constexpr double kBeforeFirst = 0.6;
 
 /// Inverts a symmetric positive definite matrix, row by row, by its Cholesky factor.
 std::vector<double> inverse_of(std::vector<double> m, size_t n)
@@ -53,7 +53,7 @@ std::vector<double> inverse_of(std::vector<double> m, size_t n)
 AxesFit::AxesFit(const VisibilityPlan& plan) : plan_(plan)
 {
     assert(plan.axes && !plan.node_angles_deg.empty());
-    double before = 2 * kFirstShare * plan.node_angles_deg.front() - plan.node_angles_deg.front();
+    double before = kBeforeFirst * plan.node_angles_deg.front();
     for (const double node : plan.node_angles_deg) {
         tangents_.push_back(std::tan(node * kRadian));
         angles_deg_.push_back((before + node) / 2);

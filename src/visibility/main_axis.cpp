@@ -18,7 +18,7 @@ constexpr double kAlongTheMap = 0.25;
 /// Of three differences side by side: chosen so that slopes turn with the map (Scharr 2000).
 constexpr double kWeights[] = {3.0 / 16, 10.0 / 16, 3.0 / 16};
 
-/// Share of the squares of slopes that must agree. Isotropic noise of 256 x 256 texels has 0.01.
+/// Share of the squares of slopes that must agree. White noise of 64 x 64 texels has 0.02 at most.
 constexpr double kLeastShare = 0.05;
 
 } // namespace

@@ -5,14 +5,13 @@
 //
 // Without a folder, on the built-in samples alone.
 
-#include <cstdio>
 #include <string>
 #include <vector>
 
+#include "figures/data_program.h"
 #include "figures/light_measure.h"
 #include "figures/light_report.h"
 #include "figures/visibility_surfaces.h"
-#include "math/error.h"
 
 namespace scree::test {
 namespace {
@@ -31,17 +30,4 @@ void run(const std::string& data)
 } // namespace
 } // namespace scree::test
 
-int main(int argc, char** argv)
-{
-    if (argc > 2) {
-        std::fprintf(stderr, "usage: %s [DATA_FOLDER]\n", argv[0]);
-        return 2;
-    }
-    try {
-        scree::test::run(argc == 2 ? argv[1] : "");
-    } catch (const scree::Error& error) {
-        std::fprintf(stderr, "%s: error: %s\n", argv[0], error.what());
-        return 1;
-    }
-    return 0;
-}
+int main(int argc, char** argv) { return scree::test::run_with_data(argc, argv, scree::test::run); }

@@ -205,6 +205,16 @@ TEST(MainAxis, OfWhatHasNoneIsThatOfTheMap)
     };
     EXPECT_EQ(main_axis_deg(heights_of(hill)), 0);
     EXPECT_EQ(main_axis_deg(heights_of([](double, double) { return 2.0; })), 0);
+    std::mt19937 random(1);
+    std::normal_distribution<float> number;
+    HeightGrid::Shape shape;
+    shape.width = shape.height = 64;
+    for (int i = 0; i < 5; ++i) {
+        std::vector<float> noise(64 * 64);
+        for (float& height : noise)
+            height = number(random);
+        EXPECT_EQ(main_axis_deg(MemoryHeights(shape, noise)), 0);
+    }
 }
 
 } // namespace
