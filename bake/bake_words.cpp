@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "bake/checks.h"
 #include "bake/recipe.h"
 #include "bake/terminal.h"
@@ -116,7 +118,11 @@ void add_bake_options(CLI::App& command, BakeWords& words)
                     "exponent fitted to what views see of the heights; tables of what they see "
                     "[smith; of --maps auto any]");
     set->add_option("--nodes", words.nodes,
-                    "of tables: angles from the normal, 1 to 6 [4]; the most that auto takes");
+                    "of tables: how many angles from the normal they hold, 1 to 6 [4]; the bake "
+                    "lays them where the surface begins to hide. Or the angles, degrees. The most "
+                    "that auto takes")
+        ->delimiter(',')
+        ->option_text("COUNT or ANGLE,..");
     set->add_option("--harmonics", words.harmonics,
                     "of tables: terms of the azimuth, 0 (the same from all sides) to 2 [1; of "
                     "auto at most 2]");
@@ -166,6 +172,23 @@ std::optional<double> axis_named(const std::string& text)
     return CLI::detail::lexical_cast(text, degrees) ? std::optional(degrees) : std::nullopt;
 }
 
+/// One number as small as a count is one.
+void take_nodes(const std::vector<double>& numbers, BakeOptions& options)
+{
+    if (numbers.empty())
+        return;
+    if (numbers.size() > 1 || numbers.front() > kMaxNodes) {
+        options.table.node_angles_deg = numbers;
+        options.move_nodes = false;
+        return;
+    }
+    const double count = numbers.front();
+    if (!(count >= 1) || count != std::floor(count))
+        throw Error(fmt::format("--nodes {}: expected how many, 1 to {}, or their angles", count,
+                                kMaxNodes));
+    options.table.node_angles_deg = best_node_angles(static_cast<int>(count));
+}
+
 } // namespace
 
 void interpret(CLI::App& command, BakeWords& words)
@@ -202,11 +225,7 @@ void interpret(CLI::App& command, BakeWords& words)
             o.table.axes = !o.auto_maps;
             o.axis_deg = axis_named(words.axes);
         }
-        if (words.nodes) {
-            if (*words.nodes < 1 || *words.nodes > kMaxNodes)
-                throw Error(fmt::format("--nodes {}: must be 1 to {}", *words.nodes, kMaxNodes));
-            o.table.node_angles_deg = best_node_angles(*words.nodes);
-        }
+        take_nodes(words.nodes, o);
         if (!words.map_range.empty())
             o.map_range = {words.map_range.front(), words.map_range.back()};
         o.map_by = map_by_named(words.map_by, words.map_azimuth.has_value());

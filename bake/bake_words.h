@@ -26,7 +26,8 @@ struct BakeWords {
     std::string input = "height", normal_range = "auto", reconstruction = "bilinear";
     std::string pixel_type = "auto", compression = "zip", layout = "scree";
     std::string visibility; ///< empty: not given
-    std::optional<int> nodes, harmonics;
+    std::vector<double> nodes; ///< how many, or their angles
+    std::optional<int> harmonics;
     std::string axes;
     bool quiet = false;
 };

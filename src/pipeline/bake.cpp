@@ -18,7 +18,7 @@
 #include "pipeline/warnings.h"
 #include "pipeline/write_pass.h"
 #include "texset/staged_folder.h"
-#include "visibility/main_axis.h"
+#include "visibility/slope_survey.h"
 
 namespace scree {
 
@@ -120,6 +120,20 @@ void choose(const BakeOptions& options, SetPlan& plan, Manifest& manifest)
         kept.push_back(std::move(texture));
     }
     manifest.textures = std::move(kept);
+}
+
+/// Lays nodes and axes of the tables of visibility where they serve the heights best.
+void fit_to(const HeightGrid& heights, const BakeOptions& options, TableSizes& tables)
+{
+    const SlopeSurvey slopes = survey_slopes(heights);
+    for (VisibilityPlan* table : {&tables.visibility, &tables.tried}) {
+        if (table->components() == 0)
+            continue;
+        if (options.move_nodes)
+            table->node_angles_deg = moved_node_angles(table->node_angles_deg, slopes.rms);
+        if (table->axes)
+            table->axis_deg = options.axis_deg.value_or(slopes.axis_deg);
+    }
 }
 
 /// Writes all textures but the table of a color map; returns the summaries of their levels, those
@@ -226,10 +240,8 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
     if (needs_views(plan.maps, options))
         spooled.emplace(surface, folder.path());
     const HeightGrid* heights = spooled ? &*spooled : nullptr;
-    for (VisibilityPlan* seen : {&plan.tables.visibility, &plan.tables.tried})
-        if (seen->axes && heights != nullptr)
-            seen->axis_deg = options.axis_deg.value_or(main_axis_deg(*heights));
-
+    if (heights != nullptr)
+        fit_to(*heights, options, plan.tables);
     if (options.auto_maps || options.pixel_type == PixelTypeChoice::automatic || heights != nullptr)
         measure(surface, heights, plan, manifest);
     if (options.auto_maps)

@@ -64,6 +64,23 @@ void expect_map_of(const std::optional<Visibility>& given, Visibility way, Map m
                         map_info(map).name));
 }
 
+/// As VisibilityPlan has them. A tenth of a degree apart, so that no step between them is endless.
+void expect_nodes(const std::vector<double>& angles_deg)
+{
+    constexpr double kLeastStep = 0.1, kLast = 89.9;
+    if (angles_deg.empty() || angles_deg.size() > kMaxNodes)
+        throw Error(
+            fmt::format("--nodes: {} of them; must be 1 to {}", angles_deg.size(), kMaxNodes));
+    double before = 0;
+    for (const double angle : angles_deg) {
+        if (!(angle >= before + kLeastStep && angle <= kLast))
+            throw Error(fmt::format("--nodes: {} after {}; expected rising angles from the normal, "
+                                    "degrees, {} or more apart, {} at most",
+                                    angle, before, kLeastStep, kLast));
+        before = angle;
+    }
+}
+
 void expect_range(double low, double high)
 {
     constexpr double kLargest = 1e30; // squares of differences stay far from the largest double
@@ -112,6 +129,7 @@ void expect_sensible(const BakeOptions& options)
     if (options.rank_terms < 1 || options.rank_terms > kMaxRankTerms)
         throw Error(fmt::format("--rank-terms must be 1 to {}", kMaxRankTerms));
     const VisibilityPlan& table = options.table;
+    expect_nodes(table.node_angles_deg);
     if (table.harmonics < 0 || table.harmonics > kMaxHarmonics)
         throw Error(fmt::format("--harmonics {}: must be 0 to {}", table.harmonics, kMaxHarmonics));
     if (table.azimuths <= 2 * table.harmonics || table.azimuths > kMaxAzimuths)

@@ -72,8 +72,10 @@ struct BakeOptions {
     double max_view_angle_deg = 85; ///< from the normal; the steepest view that auto_maps looks at
     double model_tolerance = 0.01;  ///< of the visible color, relative, see pipeline/model_errors.h
     VisibilityPlan table{best_node_angles(kDefaultNodes), 0, 8}; ///< of Map::visible
+    /// Nodes of `table` go to where the surface begins to hide (moved_node_angles()).
+    bool move_nodes = true;
     /// Of tables along axes, also those that auto_maps tries; absent: where most slopes lie
-    /// (visibility/main_axis.h).
+    /// (visibility/slope_survey.h).
     std::optional<double> axis_deg;
     int rank_terms = kDefaultRankTerms; ///< of a rank table, 1 to 8
     /// Absent: smith, of `auto_maps` whatever does.

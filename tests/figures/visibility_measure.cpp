@@ -65,7 +65,7 @@ std::vector<JudgedSet> sets_of_nodes(const Asset& asset)
     add(4, PixelTypeChoice::half, "4 nodes, half");
     for (const int nodes : {2, 3, 5, 6})
         add(nodes, PixelTypeChoice::float32, fmt::format("{} nodes", nodes));
-    const VisibilityRecord four{best_node_angles(4), kMaxHarmonics, 8, {}};
+    const VisibilityRecord four = sets.front().set.visibility;
     std::vector<ColorOfView>& of_four = sets.front().models;
     of_four.push_back(table_color_along(four, "4 nodes, by theta",
                                         [](double cosine) { return std::acos(cosine); }));

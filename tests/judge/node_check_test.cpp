@@ -31,6 +31,7 @@ struct Baked {
         options.pixel_type = PixelTypeChoice::float32;
         options.maps = {Map::slope, Map::color, Map::visible};
         options.table = {{60, 78}, axes ? 0 : 1, 8, axes};
+        options.move_nodes = false;
         Manifest start;
         start.name = "test";
         manifest = bake(source, options, start);

@@ -1,4 +1,4 @@
-// Tables along axes: what a fit finds again, and where axes lie.
+// Tables along axes: what a fit finds again.
 
 #include "visibility/axes_fit.h"
 
@@ -7,7 +7,6 @@
 #include <cmath>
 #include <random>
 
-#include "visibility/main_axis.h"
 #include "visibility/memory_heights.h"
 #include "visibility/view_components.h"
 
@@ -161,59 +160,6 @@ TEST(ViewComponents, AlongAxesAreTheFitOfSweeps)
         const auto table = fitted(plan, of_texel);
         for (size_t i = 0; i < table.size(); ++i)
             EXPECT_NEAR(static_cast<double>(planes[3 + i][texel]), table[i], 2e-3) << i;
-    }
-}
-
-// --- where axes lie -----------------------------------------------------------------------------
-
-MemoryHeights heights_of(double (*height)(double x, double y), double texel_width = 1)
-{
-    HeightGrid::Shape shape;
-    shape.width = 96;
-    shape.height = 80;
-    shape.texel_width = texel_width;
-    shape.edge_s = shape.edge_t = Edge::extend;
-    std::vector<float> heights;
-    for (int y = 0; y < shape.height; ++y)
-        for (int x = 0; x < shape.width; ++x)
-            heights.push_back(static_cast<float>(height(texel_width * x, y)));
-    return {shape, heights};
-}
-
-TEST(MainAxis, OfGroovesIsAcrossThem)
-{
-    const auto grooves = [](double x, double y) {
-        return 0.3 * std::sin(0.4 * (x * std::cos(31 * kRadian) + y * std::sin(31 * kRadian)));
-    };
-    EXPECT_NEAR(main_axis_deg(heights_of(grooves)), 31, 0.5);
-    EXPECT_NEAR(main_axis_deg(heights_of(grooves, 0.5)), 31, 0.5) << "oblong texels";
-}
-
-TEST(MainAxis, OfBricksLiesAlongTheMap)
-{
-    const auto bricks = [](double x, double y) {
-        return std::fmod(x, 12) < 2 || std::fmod(y, 8) < 2 ? 0.0 : 1.0;
-    };
-    // Where edges meet neighbours' differences lie in between, alike on both sides.
-    EXPECT_NEAR(main_axis_deg(heights_of(bricks)), 0, 1);
-}
-
-TEST(MainAxis, OfWhatHasNoneIsThatOfTheMap)
-{
-    const auto hill = [](double x, double y) {
-        return std::exp(-((x - 48) * (x - 48) + (y - 40) * (y - 40)) / 200);
-    };
-    EXPECT_EQ(main_axis_deg(heights_of(hill)), 0);
-    EXPECT_EQ(main_axis_deg(heights_of([](double, double) { return 2.0; })), 0);
-    std::mt19937 random(1);
-    std::normal_distribution<float> number;
-    HeightGrid::Shape shape;
-    shape.width = shape.height = 64;
-    for (int i = 0; i < 5; ++i) {
-        std::vector<float> noise(64 * 64);
-        for (float& height : noise)
-            height = number(random);
-        EXPECT_EQ(main_axis_deg(MemoryHeights(shape, noise)), 0);
     }
 }
 
