@@ -22,7 +22,7 @@ struct Quarters {
 
 /// Mean over the texel of a quantity of its quarters.
 template <class F>
-double mean_of(const Quarters& quarters, F f)
+[[gnu::always_inline]] inline double mean_of(const Quarters& quarters, F f)
 {
     return 0.25 * ((f(quarters.nw) + f(quarters.ne)) + (f(quarters.sw) + f(quarters.se)));
 }
