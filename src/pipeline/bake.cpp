@@ -130,7 +130,7 @@ void fit_to(const HeightGrid& heights, const BakeOptions& options, TableSizes& t
         if (table->components() == 0)
             continue;
         if (options.move_nodes)
-            table->node_angles_deg = moved_node_angles(table->node_angles_deg, slopes.rms);
+            table->node_angles_deg = moved_node_angles(table->node_angles_deg, slopes.steepness);
         if (table->axes)
             table->axis_deg = options.axis_deg.value_or(slopes.axis_deg);
     }

@@ -65,18 +65,17 @@ public:
             mean_square(c - a, d - b) / (shape_.texel_height * shape_.texel_height);
         if (!std::isfinite(square)) // no data
             return;
-        sum_ += square;
-        ++count_;
+        squares_ += square;
+        fourths_ += square * square;
     }
-    [[nodiscard]] double rms() const
+    [[nodiscard]] double steepness() const
     {
-        return count_ > 0 ? std::sqrt(sum_ / static_cast<double>(count_)) : 0;
+        return squares_ > 0 ? std::sqrt(fourths_ / squares_) : 0;
     }
 
 private:
     const HeightGrid::Shape& shape_;
-    double sum_ = 0;
-    long count_ = 0;
+    double squares_ = 0, fourths_ = 0;
 };
 
 class MainAxis {
@@ -127,7 +126,7 @@ SlopeSurvey survey_slopes(const HeightGrid& heights)
             axis.add(rows, x);
         }
     }
-    return {steepness.rms(), axis.degrees()};
+    return {steepness.steepness(), axis.degrees()};
 }
 
 } // namespace scree

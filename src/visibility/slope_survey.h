@@ -6,9 +6,10 @@ namespace scree {
 
 /// How steep a height map is, and which way; of at most 1024 of its rows.
 struct SlopeSurvey {
-    /// sqrt(E[s^2 + t^2]) of the bilinear surface between texel centres; 0 without two texels that
-    /// have data.
-    double rms = 0;
+    /// sqrt(E[r^4] / E[r^2]), r^2 = s^2 + t^2 the mean over the bilinear cell between four texels:
+    /// how steep is what is steep. Of grooves and walls of one slope it is that slope, however far
+    /// apart they are; of normal slopes sqrt 2 times their rms. 0 where nothing slopes.
+    double steepness = 0;
 
     /// The direction that most slopes lie along or across, degrees from +s towards +t, in
     /// (-45, 45]; 0 where they lie in no direction more than in others, or within a quarter of a

@@ -9,10 +9,6 @@ namespace {
 
 constexpr double kRadian = 3.14159265358979323846 / 180;
 
-/// Where hiding begins: tan theta times the rms slope. Of normal slopes one of 100 turns away from
-/// such a view.
-constexpr double kBegin = 0.6;
-
 /// Of the last node's tangent, the most that the first may have.
 constexpr double kMostOfLast = 0.5;
 
@@ -32,11 +28,11 @@ std::vector<double> best_node_angles(int nodes)
     return kAngles[std::clamp(nodes, 1, kMaxNodes) - 1];
 }
 
-std::vector<double> moved_node_angles(std::vector<double> angles_deg, double rms_slope)
+std::vector<double> moved_node_angles(std::vector<double> angles_deg, double steepness)
 {
     const double first = std::tan(angles_deg.front() * kRadian);
     const double last = std::tan(angles_deg.back() * kRadian);
-    const double begin = std::min(kBegin / rms_slope, kMostOfLast * last);
+    const double begin = std::min(1 / steepness, kMostOfLast * last);
     if (!(begin > first))
         return angles_deg;
     for (size_t i = 0; i + 1 < angles_deg.size(); ++i) {

@@ -30,18 +30,19 @@ struct VisibilityPlan {
     }
 };
 
-/// The angles that served best for a number of nodes, 1 to kMaxNodes, on surfaces of rms slope 0.4
-/// and more; figures in docs/visibility.md.
+/// The angles that served best for a number of nodes, 1 to kMaxNodes, on steep surfaces; figures in
+/// docs/visibility.md.
 std::vector<double> best_node_angles(int nodes);
 
 /// The same for any surface: flatter ones hide nothing before views are the more grazing.
 ///
-/// The first goes to where tan theta = 0.6 / rms_slope, never back, and at most to half the tangent
-/// of the last, which stays; those between keep their places between the two, in log tan theta.
-/// A single angle stays. Figures in docs/visibility.md. Eighths of a degree.
+/// The first goes to where a view is as steep as the surface, tan theta = 1 / steepness, never
+/// back, and at most to half the tangent of the last, which stays; those between keep their places
+/// between the two, in log tan theta. A single angle stays. Figures in docs/visibility.md. Eighths
+/// of a degree.
 ///
-/// rms_slope  sqrt(E[s^2 + t^2]), >= 0
-std::vector<double> moved_node_angles(std::vector<double> angles_deg, double rms_slope);
+/// steepness  of SlopeSurvey, >= 0
+std::vector<double> moved_node_angles(std::vector<double> angles_deg, double steepness);
 
 /// Azimuth number j of a plan, degrees: (j + 1/4) 360 / azimuths. For 8 none of them lies along an
 /// axis of the map or a diagonal, where a line passes all texels at the same place.

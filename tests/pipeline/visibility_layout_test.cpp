@@ -13,6 +13,8 @@
 #include "reference/gather.h"
 #include "support/files.h"
 #include "support/memory_bake.h"
+#include "visibility/memory_heights.h"
+#include "visibility/slope_survey.h"
 
 namespace scree::test {
 namespace {
@@ -119,8 +121,7 @@ TEST(VisibilityLayout, AutoTakesAxesForWalls)
               visible_channels_along_axes(kDefaultNodes));
 }
 
-// Walls a tenth as high: 0.6 over their slope is beyond 80 degrees, where nodes for steep surfaces
-// see the walls hide nothing or nearly all.
+// Walls a tenth as high hide nothing before 75 degrees.
 TEST(VisibilityLayout, NodesGoToWhereTheSurfaceBeginsToHide)
 {
     TempFolder temp;
@@ -132,10 +133,13 @@ TEST(VisibilityLayout, NodesGoToWhereTheSurfaceBeginsToHide)
     };
     EXPECT_EQ(nodes_of(1.5), best_node_angles(kDefaultNodes));
     const auto low = nodes_of(0.15);
-    SetReader set(temp / "set");
-    const auto slope = set.row(static_cast<int>(set.manifest().levels.size()) - 1, 0)[0].slope;
-    const double rms = std::sqrt(static_cast<double>(slope.ss + slope.tt));
-    EXPECT_NEAR(low[0], std::atan(0.6 / rms) / kRadian, 0.1);
+    const MemorySource source = walls(0.15);
+    HeightGrid::Shape shape;
+    shape.width = shape.height = kSize;
+    const MemoryHeights heights(shape, {source.heights.begin(), source.heights.end()});
+    EXPECT_EQ(low,
+              moved_node_angles(best_node_angles(kDefaultNodes), survey_slopes(heights).steepness));
+    EXPECT_GT(low[0], 75);
     EXPECT_EQ(low.back(), 87);
     const auto file = OIIO::ImageInput::open((temp / "set" / "test.visible.exr").string());
     EXPECT_NEAR(file->spec().get_float_attribute("scree:nodeCosine1"), std::cos(low[0] * kRadian),

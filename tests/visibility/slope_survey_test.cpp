@@ -30,30 +30,57 @@ MemoryHeights heights_of(double (*height)(double x, double y), double texel_widt
 }
 
 // A plane, also beyond its edges, and through cells without data.
-TEST(SlopeSurvey, RmsOfAPlaneIsItsSlope)
+TEST(SlopeSurvey, SteepnessOfAPlaneIsItsSlope)
 {
     const auto plane = [](double x, double y) { return 0.3 * x + 0.4 * y; };
-    EXPECT_NEAR(survey_slopes(heights_of(plane)).rms, 0.5, 1e-5);
-    EXPECT_NEAR(survey_slopes(heights_of(plane, 0.25)).rms, 0.5, 1e-5) << "oblong texels";
+    EXPECT_NEAR(survey_slopes(heights_of(plane)).steepness, 0.5, 1e-5);
+    EXPECT_NEAR(survey_slopes(heights_of(plane, 0.25)).steepness, 0.5, 1e-5) << "oblong texels";
     const auto holes = [](double x, double y) {
         return static_cast<int>(x + 3 * y) % 17 == 0 ? std::numeric_limits<double>::quiet_NaN()
                                                      : 0.3 * x + 0.4 * y;
     };
-    EXPECT_NEAR(survey_slopes(heights_of(holes)).rms, 0.5, 1e-5);
+    EXPECT_NEAR(survey_slopes(heights_of(holes)).steepness, 0.5, 1e-5);
 }
 
-// White noise of variance 1, slope a + (b - a) y of a cell between two rows: E[s^2] = 2 (2 / 3) of
-// the variance, that of the same differences without interpolation would be 2.
-TEST(SlopeSurvey, RmsIsThatOfTheBilinearSurface)
+// Grooves with walls of slope 0.5, a quarter of the map; the rest is flat.
+TEST(SlopeSurvey, SteepnessOfGroovesIsThatOfTheirWalls)
 {
+    const auto grooves = [](double x, double) {
+        return 0.5 * std::min(std::abs(std::fmod(x, 16) - 8), 2.0);
+    };
+    EXPECT_NEAR(survey_slopes(heights_of(grooves)).steepness, 0.5, 1e-5);
+}
+
+// Slopes are sums of k_i cos(phase_i): E[r^2] = sum |k_i|^2 / 2, and E[r^4] = sum 3 |k_i|^4 / 8 +
+// sum over i != j of (|k_i|^2 |k_j|^2 + 2 (k_i . k_j)^2) / 4. Many waves are nearly normal.
+TEST(SlopeSurvey, SteepnessOfWavesFollowsFromTheirMoments)
+{
+    constexpr int kSize = 512;
+    constexpr double kTurn = 2 * 3.14159265358979323846;
+    const int waves[][2] = {{1, 3}, {-2, 7}, {5, 11}, {13, -4}, {-9, 2}, {3, -12}};
     HeightGrid::Shape shape;
-    shape.width = shape.height = 256;
-    std::mt19937 random(3);
-    std::normal_distribution<float> number;
-    std::vector<float> noise(256 * 256);
-    for (float& height : noise)
-        height = number(random);
-    EXPECT_NEAR(survey_slopes(MemoryHeights(shape, noise)).rms, std::sqrt(2 * 4.0 / 3), 0.02);
+    shape.width = shape.height = kSize;
+    std::vector<float> heights;
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) {
+            double height = 0;
+            for (const auto& [u, v] : waves)
+                height += std::sin(kTurn * (u * x + v * y) / kSize + u * u);
+            heights.push_back(static_cast<float>(height));
+        }
+    double squares = 0, fourths = 0;
+    for (const auto& a : waves) {
+        const double aa = a[0] * a[0] + a[1] * a[1];
+        squares += aa / 2;
+        fourths += 3 * aa * aa / 8;
+        for (const auto& b : waves)
+            if (&a != &b) {
+                const double bb = b[0] * b[0] + b[1] * b[1], ab = a[0] * b[0] + a[1] * b[1];
+                fourths += (aa * bb + 2 * ab * ab) / 4;
+            }
+    }
+    const double expected = kTurn / kSize * std::sqrt(fourths / squares);
+    EXPECT_NEAR(survey_slopes(MemoryHeights(shape, heights)).steepness, expected, 0.01 * expected);
 }
 
 // Of more rows than it looks at it takes some.
@@ -67,13 +94,15 @@ TEST(SlopeSurvey, OfManyRowsIsThatOfAll)
     for (int i = 0; i < 8 * 3000; ++i)
         heights.push_back(static_cast<float>(std::sin(0.01 * (i / 8)))); // slope 0.02 cos
     shape.edge_t = Edge::extend;
-    EXPECT_NEAR(survey_slopes(MemoryHeights(shape, heights)).rms, 0.02 / std::sqrt(2.0), 2e-4);
+    // E[cos^4] / E[cos^2] = 3 / 4
+    EXPECT_NEAR(survey_slopes(MemoryHeights(shape, heights)).steepness, 0.02 * std::sqrt(0.75),
+                2e-4);
 }
 
 TEST(SlopeSurvey, WithoutDataIsFlat)
 {
     const auto nothing = [](double, double) { return std::numeric_limits<double>::quiet_NaN(); };
-    EXPECT_EQ(survey_slopes(heights_of(nothing)).rms, 0);
+    EXPECT_EQ(survey_slopes(heights_of(nothing)).steepness, 0);
     EXPECT_EQ(survey_slopes(heights_of(nothing)).axis_deg, 0);
 }
 
