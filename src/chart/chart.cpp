@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "chart/footprints.h"
+#include "chart/measured_color.h"
 #include "chart/pareto.h"
 #include "chart/truth.h"
 #include "judge/ray_reach.h"
@@ -95,7 +96,8 @@ AssetChart make_chart(const Asset& asset, const ChartOptions& options, const Bak
         bake_footprints(asset, options.footprints, options.seed, monitor);
     const TruthPlan plan{chart_views(), options.material, options.grid, options.seed};
     const ChartTruth truth = gather_truth(surface, footprints.places, plan, monitor);
-    const MethodSetting setting{options.material, &footprints.height_colors};
+    const MethodSetting setting{options.material, &footprints.height_colors,
+                                nodes_of(footprints.visibility, footprints.visibility_axes)};
 
     AssetChart chart;
     chart.asset = asset.name;
@@ -103,6 +105,8 @@ AssetChart make_chart(const Asset& asset, const ChartOptions& options, const Bak
     chart.height = asset.relief.height;
     chart.footprints = static_cast<int>(footprints.places.size());
     chart.bands = plan.views.bands;
+    chart.visibility = footprints.visibility;
+    chart.visibility_axes = footprints.visibility_axes;
     chart.noise = truth.noise;
     chart.rays = truth.rays;
     chart.rows = method_rows(footprints, setting, truth.yardstick, options.rounds, monitor);

@@ -8,6 +8,7 @@
 #include "chart/asset.h"
 #include "chart/cost.h"
 #include "chart/errors.h"
+#include "texset/manifest.h"
 
 namespace scree {
 
@@ -36,6 +37,8 @@ struct AssetChart {
     std::string asset;
     int width = 0, height = 0; ///< texels
     int footprints = 0;
+    /// Of the tables of visibility with harmonics, and of those along axes.
+    VisibilityRecord visibility, visibility_axes;
     std::vector<ViewBand> bands;
     std::vector<RelativeErrors> noise; ///< of the truth itself, one a band
     std::vector<ChartRow> rows;        ///< the methods, then supersampling by rising samples

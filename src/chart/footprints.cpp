@@ -18,20 +18,16 @@ namespace scree {
 namespace {
 
 constexpr int kFinestLevel = 2;    ///< footprints of 4 x 4 texels
-constexpr int kChartHarmonics = 2; ///< of the tables of visibility
+constexpr size_t kChartNodes = 4;  ///< of the tables of visibility
+constexpr int kChartHarmonics = 2; ///< likewise, but along axes
+constexpr int kChartAzimuths = 8;  ///< that are swept for them
 
 /// A set of the asset in a folder that goes with it.
 class TempSet {
 public:
-    TempSet(const Asset& asset, std::vector<Map> maps, Reconstruction reconstruction,
-            const BakeMonitor& monitor)
+    TempSet(const Asset& asset, BakeOptions options, const BakeMonitor& monitor)
     {
-        BakeOptions options = asset.options;
-        options.output = folder_.path() / "set";
-        options.maps = std::move(maps);
-        options.rank_terms = 8;
-        options.table = {{kChartNodes.begin(), kChartNodes.end()}, kChartHarmonics, 8};
-        options.reconstruction = reconstruction;
+        options.output = folder();
         Manifest start;
         start.name = "asset";
         AssetSource source(asset);
@@ -52,7 +48,34 @@ private:
     Manifest manifest_;
 };
 
-std::map<MethodTexture, PixelType> types_of(const TempSet& set, const TempSet& sobel)
+BakeOptions with_all_maps(const Asset& asset)
+{
+    BakeOptions options = asset.options;
+    options.maps = {Map::slope, Map::height, Map::color,    Map::colorheight, Map::colorslope,
+                    Map::rank,  Map::tail,   Map::exponent, Map::visible};
+    options.rank_terms = 8;
+    options.table = {best_node_angles(kChartNodes), kChartHarmonics, kChartAzimuths};
+    return options;
+}
+
+BakeOptions with_axes(const Asset& asset)
+{
+    BakeOptions options = asset.options;
+    options.maps = {Map::slope, Map::color, Map::visible};
+    options.table = {best_node_angles(kChartNodes), 0, kChartAzimuths, true};
+    return options;
+}
+
+BakeOptions with_sobel_slopes(const Asset& asset)
+{
+    BakeOptions options = asset.options;
+    options.maps = {Map::slope};
+    options.reconstruction = Reconstruction::sobel;
+    return options;
+}
+
+std::map<MethodTexture, PixelType> types_of(const TempSet& set, const TempSet& axes,
+                                            const TempSet& sobel)
 {
     const PixelType visible = set.texture(Map::visible).type;
     return {{MethodTexture::normal, PixelType::half},
@@ -67,7 +90,8 @@ std::map<MethodTexture, PixelType> types_of(const TempSet& set, const TempSet& s
             {MethodTexture::visible_2x1, visible},
             {MethodTexture::visible_4x1, visible},
             {MethodTexture::visible_4x3, visible},
-            {MethodTexture::visible_4x5, visible}};
+            {MethodTexture::visible_4x5, visible},
+            {MethodTexture::visible_axes, axes.texture(Map::visible).type}};
 }
 
 /// Fewer nodes and harmonics of set.visible.
@@ -78,7 +102,7 @@ void take_smaller_tables(FootprintData& data)
     const auto copy = [&data](size_t node, size_t term, float* to) {
         std::copy_n(data.set.visible.data() + kColors * (kTerms * node + term), kColors, to);
     };
-    for (size_t node = 0; node < kChartNodes.size(); ++node) {
+    for (size_t node = 0; node < kChartNodes; ++node) {
         copy(node, 0, data.visible_4x1.data() + kColors * node);
         for (size_t i = 0; i < kFirstHarmonic.size(); ++i)
             copy(node, kFirstHarmonic[i],
@@ -119,23 +143,29 @@ ChartFootprints bake_footprints(const Asset& asset, int count, uint64_t seed,
                                 "footprint of a chart",
                                 asset.name, relief.width, relief.height, 1 << kFinestLevel,
                                 1 << kFinestLevel));
-    const TempSet set(asset,
-                      {Map::slope, Map::height, Map::color, Map::colorheight, Map::colorslope,
-                       Map::rank, Map::tail, Map::exponent, Map::visible},
-                      Reconstruction::bilinear, monitor);
-    const TempSet sobel(asset, {Map::slope}, Reconstruction::sobel, monitor);
+    const TempSet set(asset, with_all_maps(asset), monitor);
+    const TempSet axes(asset, with_axes(asset), monitor);
+    const TempSet sobel(asset, with_sobel_slopes(asset), monitor);
     const MeanNormals normals(relief, finest_slopes(set));
 
     ChartFootprints all;
-    all.types = types_of(set, sobel);
+    all.types = types_of(set, axes, sobel);
+    all.visibility = set.manifest().visibility.value();
+    all.visibility_axes = axes.manifest().visibility.value();
     all.height_colors =
         filtered_by_height(color_by_height(relief, set.manifest().h0, set.manifest().h1));
-    SetReader reader(set.folder()), sobel_reader(sobel.folder());
+    SetReader reader(set.folder()), axes_reader(axes.folder()), sobel_reader(sobel.folder());
     for (PickedTexel& picked : pick_texels(reader, kFinestLevel, count, seed)) {
         FootprintData data;
         data.set = picked.texel;
         take_smaller_tables(data);
-        data.sobel = sobel_reader.row(picked.level, picked.y)[static_cast<size_t>(picked.x)].slope;
+        const auto same_texel = [&picked](SetReader& of) {
+            return of.row(picked.level, picked.y)[static_cast<size_t>(picked.x)];
+        };
+        const SetTexel along_axes = same_texel(axes_reader);
+        std::copy_n(along_axes.visible.begin(), data.visible_axes.size(),
+                    data.visible_axes.begin());
+        data.sobel = same_texel(sobel_reader).slope;
         data.normal = normals.over(picked.footprint);
         all.data.push_back(data);
         all.places.push_back(std::move(picked.footprint));

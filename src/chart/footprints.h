@@ -17,10 +17,13 @@ struct ChartFootprints {
     std::vector<FootprintData> data; ///< one a place
     MapTable height_colors;
     std::map<MethodTexture, PixelType> types; ///< that `--pixel-type auto` takes; of normals half
+    /// Of the tables of visibility with harmonics, and of those along axes.
+    VisibilityRecord visibility, visibility_axes;
 };
 
-/// Bakes the asset with all maps, rank tables of 8 terms, tables of visibility at kChartNodes with
-/// two harmonics, and once more with Sobel slopes, and picks footprints of at least 4 x 4 texels.
+/// Bakes the asset with all maps, rank tables of 8 terms, tables of visibility of four nodes with
+/// two harmonics, once more with such tables along axes, and once with Sobel slopes, and picks
+/// footprints of at least 4 x 4 texels.
 ///
 /// count  a level, or as many as it has
 /// seed   of the choice

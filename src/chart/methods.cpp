@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chart/color_vector.h"
+#include "chart/measured_color.h"
 #include "chart/unmasked.h"
-#include "kernel/visibility_table.h"
 
 namespace scree {
 
 namespace {
 
 using Slopes = filter::Slopes<float>;
-
-Vec3f vector_of(const Rgbf& color) { return {color[0], color[1], color[2]}; }
-Rgbf color_of(const Vec3f& vector) { return {vector.x, vector.y, vector.z}; }
 
 // --- slopes that nothing hides -------------------------------------------------------------------
 
@@ -152,52 +150,6 @@ struct Corrected {
     }
 };
 
-float cosine_of_degrees(double angle_deg)
-{
-    return static_cast<float>(std::cos(angle_deg * 3.14159265358979323846 / 180));
-}
-
-const std::array<float, 4> kNodeCosines = {
-    cosine_of_degrees(kChartNodes[0]), cosine_of_degrees(kChartNodes[1]),
-    cosine_of_degrees(kChartNodes[2]), cosine_of_degrees(kChartNodes[3])};
-const std::array<float, 2> kTwoNodeCosines = {kNodeCosines[1], kNodeCosines[3]};
-
-struct TwoNodes {
-    static filter::VisibilityTable<float> of(const FootprintData& data)
-    {
-        return {data.visible_2x1.data(), kTwoNodeCosines.data(), 2, 0};
-    }
-};
-
-template <int harmonics>
-struct FourNodes {
-    static filter::VisibilityTable<float> of(const FootprintData& data)
-    {
-        const float* const tables[] = {data.visible_4x1.data(), data.visible_4x3.data(),
-                                       data.set.visible.data()};
-        return {tables[harmonics], kNodeCosines.data(), 4, harmonics};
-    }
-};
-
-template <class Table>
-struct Measured {
-    static Rgbf color(const FootprintData& data, const MethodSetting& /*setting*/, const Vec3f& wo)
-    {
-        return color_of(filter::visible_color(vector_of(data.set.color), Table::of(data), wo));
-    }
-    static Rgbf radiance(const FootprintData& data, const MethodSetting& setting, const Vec3f& wo,
-                         const Vec3f& wi)
-    {
-        const Vec3f mean = vector_of(data.set.color);
-        const auto table = Table::of(data);
-        const Vec3f color =
-            filter::color_seen_and_lit(mean, filter::visible_color(mean, table, wo),
-                                       filter::visible_color(mean, table, wi), wo, wi);
-        return scree::radiance(filter::slopes(data.set.slope), color_of(color), setting.material,
-                               wo, wi);
-    }
-};
-
 using F = MethodFamily;
 using T = MethodTexture;
 template <class Way>
@@ -266,20 +218,23 @@ std::vector<Method> all_methods()
                           "as linear, the exponent fitted to what views see of the asset's own "
                           "heights, three numbers a level (exponent).",
                           {color, slope, height, color_height, {T::exponent, 3}}),
-        method<Measured<TwoNodes>>("visibility 2x1", F::measured,
-                                   "as LEADR, with color by tables of what views see of the "
-                                   "asset's own heights (visible): "
-                                   "at 74 and 87 degrees, the mean over the azimuth.",
-                                   {color, slope, {T::visible_2x1, 8}}),
-        method<Measured<FourNodes<0>>>("visibility 4x1", F::measured,
-                                       "the same at 55, 74, 84 and 87 degrees.",
-                                       {color, slope, {T::visible_4x1, 16}}),
-        method<Measured<FourNodes<1>>>("visibility 4x3", F::measured,
-                                       "as visibility 4x1, with one harmonic of the azimuth.",
-                                       {color, slope, {T::visible_4x3, 48}}),
-        method<Measured<FourNodes<2>>>("visibility 4x5", F::measured,
-                                       "as visibility 4x1, with two harmonics of the azimuth.",
-                                       {color, slope, {T::visible_4x5, 80}}),
+        method<Measured<table_2x1>>("visibility 2x1", F::measured,
+                                    "as LEADR, with color by tables of what views see of the "
+                                    "asset's own heights (visible): the mean over the azimuth, at "
+                                    "the second and the last of four angles from the normal.",
+                                    {color, slope, {T::visible_2x1, 8}}),
+        method<Measured<table_4x1>>("visibility 4x1", F::measured, "the same at all four.",
+                                    {color, slope, {T::visible_4x1, 16}}),
+        method<Measured<table_4x3>>("visibility 4x3", F::measured,
+                                    "as visibility 4x1, with one harmonic of the azimuth.",
+                                    {color, slope, {T::visible_4x3, 48}}),
+        method<Measured<table_4x5>>("visibility 4x5", F::measured,
+                                    "as visibility 4x1, with two harmonics of the azimuth.",
+                                    {color, slope, {T::visible_4x5, 80}}),
+        method<Measured<table_4_axes>>("visibility 4 axes", F::measured,
+                                       "as visibility 4x1, with what goes with the view along two "
+                                       "axes, where most slopes lie, instead of harmonics.",
+                                       {color, slope, {T::visible_axes, 80}}),
     };
 }
 

@@ -16,15 +16,22 @@ struct FootprintData {
     filter::SlopeMoments<float> sobel; ///< of a set with Sobel slopes, as maketx --bumpslopes has
     /// Mean of the unit normals of the level-0 texels: the shorter, the more they differ.
     Vec3f normal{0, 0, 1};
-    /// Parts of set.visible (kChartNodes, two harmonics), each as a file of its own would hold it:
+    /// Parts of set.visible (four nodes, two harmonics), each as a file of its own would hold it:
     /// two nodes, the second and the last, and all of them, without harmonics; all with one.
     std::array<float, 8> visible_2x1{};
     std::array<float, 16> visible_4x1{};
     std::array<float, 48> visible_4x3{};
+    std::array<float, 80> visible_axes{}; ///< of a set with tables of four nodes along axes
 };
 
-/// Of the tables of visibility, degrees from the normal.
-constexpr std::array<double, 4> kChartNodes{55, 74, 84, 87};
+/// Where tables of visibility have their nodes, which a bake decides on: cosines of their angles
+/// from the normal.
+struct VisibilityNodes {
+    std::array<float, 4> four{};          ///< of tables without axes
+    std::array<float, 2> two{};           ///< the second and the last of them
+    std::array<float, 4> along_axes{};    ///< of tables along axes
+    float axis_cosine = 1, axis_sine = 0; ///< of the first axis' angle from +s towards +t
+};
 
 /// What all footprints share.
 struct MethodSetting {
@@ -32,6 +39,7 @@ struct MethodSetting {
     /// Colors by normalised height, averaged over normal laws: what the published visible-height
     /// model looks up. Never null.
     const MapTable* height_colors = nullptr;
+    VisibilityNodes nodes{};
 };
 
 /// A texture that methods read.
@@ -49,7 +57,8 @@ enum class MethodTexture {
     visible_2x1,
     visible_4x1,
     visible_4x3,
-    visible_4x5
+    visible_4x5,
+    visible_axes
 };
 
 struct Reading {

@@ -22,6 +22,18 @@ std::vector<std::string> what_methods_are(const AssetChart& chart)
     return words;
 }
 
+/// Where the bakes laid the nodes and axes of the tables of visibility.
+std::string where_tables_lie(const AssetChart& chart)
+{
+    const auto nodes = [](const VisibilityRecord& record) {
+        return fmt::format("{:g}", fmt::join(record.node_angles_deg, ", "));
+    };
+    return fmt::format("Tables of visibility of {}: at {} degrees from the normal; along axes at "
+                       "{}, the first axis {:.3g} degrees from +s towards +t.",
+                       chart.asset, nodes(chart.visibility), nodes(chart.visibility_axes),
+                       chart.visibility_axes.axis_deg.value());
+}
+
 std::vector<std::string> how_it_was_measured(const std::vector<AssetChart>& charts,
                                              const ChartOptions& options)
 {
@@ -62,9 +74,12 @@ std::vector<std::string> how_it_was_measured(const std::vector<AssetChart>& char
         "chose; normals as halves.";
     const std::string front =
         "Full markers: no other method is at least as good in both and better in one.";
-    return {truth,    footprints, directions,
-            material, error,      time,
-            bytes,    front,      fmt::format("scree {}, {}.", kVersion, kCompiler)};
+    std::vector<std::string> all = {truth, footprints, directions, material,
+                                    error, time,       bytes,      front};
+    for (const AssetChart& chart : charts)
+        all.push_back(where_tables_lie(chart));
+    all.push_back(fmt::format("scree {}, {}.", kVersion, kCompiler));
+    return all;
 }
 
 } // namespace

@@ -74,8 +74,8 @@ TEST(MethodChart, ModelsBeatThePlainChain)
     }
     // What was measured, too; from above, where nothing hides, to a share of an error that is
     // small.
-    for (const char* name :
-         {"linear, corrected", "visibility 4x1", "visibility 4x3", "visibility 4x5"})
+    for (const char* name : {"linear, corrected", "visibility 4x1", "visibility 4x3",
+                             "visibility 4x5", "visibility 4 axes"})
         for (size_t band = 0; band < small_chart().bands.size(); ++band) {
             const double share = band < 2 ? 1.1 : 1;
             EXPECT_LT(row(name).errors[band].color, share * naive.errors[band].color)
@@ -83,6 +83,8 @@ TEST(MethodChart, ModelsBeatThePlainChain)
         }
     EXPECT_LT(row("visibility 4x5").errors[3].color, naive.errors[3].color / 3);
     EXPECT_LT(row("visibility 4x5").errors[3].color, row("visibility 4x1").errors[3].color);
+    EXPECT_LT(row("visibility 4 axes").errors[3].color, row("visibility 4x5").errors[3].color)
+        << "of bricks";
     EXPECT_LT(naive.errors[0].color, 0.1);
     EXPECT_GT(naive.errors[3].color, 0.1);
 }
@@ -125,9 +127,10 @@ TEST(MethodChart, BytesAreThoseOfTheChannelsRead)
          {MethodTexture::normal, MethodTexture::slope, MethodTexture::sobel, MethodTexture::tail,
           MethodTexture::height, MethodTexture::color, MethodTexture::colorheight,
           MethodTexture::colorslope, MethodTexture::rank, MethodTexture::visible_2x1,
-          MethodTexture::visible_4x1, MethodTexture::visible_4x3, MethodTexture::visible_4x5})
+          MethodTexture::visible_4x1, MethodTexture::visible_4x3, MethodTexture::visible_4x5,
+          MethodTexture::visible_axes})
         types[texture] = PixelType::half;
-    types[MethodTexture::slope] = PixelType::float32;
+    types[MethodTexture::slope] = types[MethodTexture::visible_axes] = PixelType::float32;
     const auto bytes = [&types](const std::string& name) {
         for (const Method& method : methods())
             if (method.name == name)
@@ -144,6 +147,7 @@ TEST(MethodChart, BytesAreThoseOfTheChannelsRead)
     EXPECT_EQ(bytes("visibility 4x1"), 3 * 2 + 5 * 4 + 4 * 4 * 2);
     EXPECT_EQ(bytes("visibility 4x3"), 3 * 2 + 5 * 4 + 4 * 4 * 3 * 2);
     EXPECT_EQ(bytes("visibility 4x5"), 3 * 2 + 5 * 4 + 4 * 4 * 5 * 2);
+    EXPECT_EQ(bytes("visibility 4 axes"), 3 * 2 + 5 * 4 + 4 * 4 * 5 * 4);
 }
 
 TEST(MethodChart, RefusesWhatMakesNoSense)
@@ -237,7 +241,18 @@ TEST(MethodChart, EveryBandHasItsCharts)
 
 TEST(MethodChart, ThePageTellsEveryMethodAndHowItWasMeasured)
 {
-    const std::string page = chart_page({small_chart()}, quick()).to_html();
+    AssetChart chart = small_chart();
+    EXPECT_EQ(chart.visibility.node_angles_deg.size(), 4U);
+    EXPECT_EQ(chart.visibility_axes.node_angles_deg.size(), 4U);
+    EXPECT_NEAR(chart.visibility_axes.axis_deg.value(), 0, 1) << "bricks lie along the map";
+    chart.visibility.node_angles_deg = {51, 62.125, 73, 84};
+    chart.visibility_axes.node_angles_deg = {49, 62, 73, 85};
+    chart.visibility_axes.axis_deg = -12.5;
+    const std::string page = chart_page({chart}, quick()).to_html();
+    EXPECT_NE(
+        page.find("of bricks: at 51, 62.125, 73, 84 degrees from the normal; along axes at 49, "
+                  "62, 73, 85, the first axis -12.5 degrees from +s"),
+        std::string::npos);
     for (const Method& method : methods())
         EXPECT_NE(page.find(method.name + ": "), std::string::npos) << method.name;
     EXPECT_NE(page.find("48 x 48 jittered samples"), std::string::npos);

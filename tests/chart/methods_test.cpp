@@ -5,42 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
-#include "chart/unmasked.h"
 #include "math/normal.h"
 #include "math/vec.h"
+#include "support/some_footprint.h"
 
-namespace scree {
+namespace scree::test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-
-const Method& method_named(const std::string& name)
-{
-    const auto found = std::find_if(methods().begin(), methods().end(),
-                                    [&name](const Method& method) { return method.name == name; });
-    if (found == methods().end())
-        throw std::runtime_error("no method " + name);
-    return *found;
-}
-
-Vec3 toward(double theta, double phi)
-{
-    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
-
-/// A table that is a straight line in the mean, from `low` to `high` at -10 to 10.
-MapTable straight_table(const Rgb& low, const Rgb& high)
-{
-    MapTable table;
-    table.columns = 2;
-    table.rows = 1;
-    table.low = -10;
-    table.high = 10;
-    table.colors = {low, high};
-    return table;
-}
 
 /// A plane of one color: no spread of anything.
 FootprintData plane(const Vec2& slope, const Rgbf& color, float h)
@@ -84,7 +57,7 @@ TEST(Methods, PlanesLookAlikeToAll)
 {
     const Rgbf color = {0.5F, 0.25F, 0.125F};
     const MapTable table = straight_table({0.5, 0.25, 0.125}, {0.5, 0.25, 0.125});
-    const MethodSetting setting{{0.3F, 0.04F}, &table};
+    const MethodSetting setting{{0.3F, 0.04F}, &table, some_nodes()};
     for (const Vec2& slope : {Vec2(0, 0), Vec2(0.25, -0.125)})
         for (const double theta_o : {0.1, 0.8, 1.2})
             for (const double theta_i : {0.3, 1.1}) {
@@ -107,46 +80,6 @@ TEST(Methods, PlanesLookAlikeToAll)
                     }
                 }
             }
-}
-
-/// Footprints of any slopes and colors, with moments as a set has them.
-FootprintData some_footprint(unsigned seed)
-{
-    std::mt19937 random(seed);
-    const auto uniform = [&random](float low, float high) {
-        return low + (high - low) * static_cast<float>(random() >> 8) * 0x1p-24F;
-    };
-    const auto slopes = [&uniform] {
-        const float s = uniform(-0.3F, 0.3F), t = uniform(-0.3F, 0.3F);
-        const float css = uniform(0.05F, 0.3F), ctt = uniform(0.05F, 0.3F);
-        const float cst = uniform(-0.5F, 0.5F) * std::sqrt(css * ctt);
-        return filter::SlopeMoments<float>{s, css + s * s, cst + s * t, t, ctt + t * t};
-    };
-    FootprintData data;
-    data.set.slope = slopes();
-    data.sobel = slopes();
-    data.set.tau = uniform(0.2F, 0.8F);
-    data.set.h = uniform(-1, 1);
-    data.set.hh = data.set.h * data.set.h + uniform(0.1F, 0.5F);
-    for (size_t c = 0; c < 3; ++c) {
-        data.set.color[c] = uniform(0.4F, 0.8F);
-        data.set.color_height[c] = data.set.color[c] * data.set.h + uniform(0.01F, 0.05F);
-        data.set.color_s[c] = data.set.color[c] * data.set.slope.s + uniform(0.01F, 0.02F);
-        data.set.color_t[c] = data.set.color[c] * data.set.slope.t + uniform(0.01F, 0.02F);
-        for (auto& a : data.set.rank)
-            a[c] = uniform(0.01F, 0.03F);
-    }
-    data.set.exponent = {uniform(0.5F, 2), uniform(0.5F, 2), uniform(0.01F, 0.02F)};
-    const auto fill = [&uniform](auto begin, auto end) {
-        for (auto value = begin; value != end; ++value)
-            *value = uniform(-0.05F, 0.05F);
-    };
-    fill(data.set.visible.begin(), data.set.visible.begin() + 80);
-    fill(data.visible_2x1.begin(), data.visible_2x1.end());
-    fill(data.visible_4x1.begin(), data.visible_4x1.end());
-    fill(data.visible_4x3.begin(), data.visible_4x3.end());
-    data.normal = {uniform(-0.2F, 0.2F), uniform(-0.2F, 0.2F), uniform(0.7F, 0.9F)};
-    return data;
 }
 
 /// Every number of a footprint, and the texture it lies in.
@@ -194,6 +127,7 @@ std::vector<Channel> channels_of(FootprintData& data)
     add_table(T::visible_4x1, data.visible_4x1.data(), data.visible_4x1.size());
     add_table(T::visible_4x3, data.visible_4x3.data(), data.visible_4x3.size());
     add_table(T::visible_4x5, data.set.visible.data(), 80);
+    add_table(T::visible_axes, data.visible_axes.data(), data.visible_axes.size());
     return all;
 }
 
@@ -204,20 +138,22 @@ bool is_read(const Method& method, const Channel& channel)
     });
 }
 
-// So bytes per texel are counted right: no more is read than said, and no less. From several sides:
-// of a table of visibility a view reads the nodes about it.
+// So bytes per texel are counted right: no more is read than said, and no less. From all sides:
+// of a table of visibility a view reads the nodes about it, and one side of an axis.
 TEST(Methods, ReadWhatTheySay)
 {
     const MapTable table = straight_table({0, 0.1, 0.2}, {0.9, 0.8, 1});
-    const MethodSetting setting{{0.3F, 0.04F}, &table};
-    const Vec3f views[] = {Vec3f(toward(1.1, 0.4)), Vec3f(toward(1.4, 1.3)),
-                           Vec3f(toward(1.5, -0.8))};
+    const MethodSetting setting{{0.3F, 0.04F}, &table, some_nodes()};
+    std::vector<Vec3f> views;
+    for (const double theta : {0.9, 1.3, 1.42, 1.51})
+        for (const double phi : {0.5, 2.0, 3.6, 5.2})
+            views.emplace_back(toward(theta, phi));
     const Vec3f wi(toward(0.7, 2.5));
     const size_t count = [] {
         FootprintData data;
         return channels_of(data).size();
     }();
-    ASSERT_EQ(count, 5U + 5 + 3 + 1 + 2 + 3 + 3 + 6 + 24 + 3 + 8 + 16 + 48 + 80);
+    ASSERT_EQ(count, 5U + 5 + 3 + 1 + 2 + 3 + 3 + 6 + 24 + 3 + 8 + 16 + 48 + 80 + 80);
     for (const Method& method : methods())
         for (size_t i = 0; i < count; ++i) {
             const FootprintData data = some_footprint(7);
@@ -246,7 +182,7 @@ TEST(Methods, ReadWhatTheySay)
 TEST(Methods, NaiveKnowsOfNoSpread)
 {
     const MapTable table = straight_table({0, 0, 0}, {1, 1, 1});
-    const MethodSetting setting{{0.3F, 0.04F}, &table};
+    const MethodSetting setting{{0.3F, 0.04F}, &table, some_nodes()};
     const Vec3f wo(toward(1.2, 0.4)), wi(toward(0.5, 2.5));
     FootprintData smooth = some_footprint(3), rough = smooth;
     rough.set.slope.ss += 0.5F;
@@ -266,7 +202,7 @@ TEST(Methods, NaiveKnowsOfNoSpread)
 TEST(Methods, LeadrIsTheKernelAndLeanItsLobe)
 {
     const MapTable table = straight_table({0, 0, 0}, {1, 1, 1});
-    const MethodSetting setting{{0.3F, 0.04F}, &table};
+    const MethodSetting setting{{0.3F, 0.04F}, &table, some_nodes()};
     for (unsigned seed = 0; seed < 20; ++seed)
         for (const double theta : {0.2, 0.9, 1.3}) {
             const FootprintData data = some_footprint(seed);
@@ -299,7 +235,7 @@ TEST(Methods, ShowWhatASetShows)
     SetColors colors;
     colors.map_by = "height";
     colors.table = straight_table({0, 0.1, 0.2}, {0.9, 0.8, 1});
-    const MethodSetting setting{{0.3F, 0.04F}, &colors.table};
+    const MethodSetting setting{{0.3F, 0.04F}, &colors.table, some_nodes()};
     const Vec3f wo(toward(1.2, 0.4)), wi(toward(1.35, 2.5));
     for (const Twin& twin : {Twin{"LEADR", ColorModel::mean, false, false},
                              Twin{"visible height", ColorModel::map, false, false},
@@ -329,57 +265,13 @@ TEST(Methods, ShowWhatASetShows)
         }
 }
 
-TEST(Methods, ShowWhatASetShowsOfMeasuredColors)
-{
-    struct Twin {
-        const char* name;
-        ColorModel model;
-        std::vector<double> nodes_deg;
-        int harmonics;
-    };
-    const MapTable unused = straight_table({0, 0, 0}, {1, 1, 1});
-    const MethodSetting setting{{0.3F, 0.04F}, &unused};
-    const Vec3f wo(toward(1.4, 0.4)), wi(toward(1.2, 2.5));
-    for (const Twin& twin : {Twin{"linear, corrected", ColorModel::exponent, {}, 0},
-                             Twin{"visibility 2x1", ColorModel::visible, {74, 87}, 0},
-                             Twin{"visibility 4x1", ColorModel::visible, {55, 74, 84, 87}, 0},
-                             Twin{"visibility 4x3", ColorModel::visible, {55, 74, 84, 87}, 1},
-                             Twin{"visibility 4x5", ColorModel::visible, {55, 74, 84, 87}, 2}})
-        for (unsigned seed = 0; seed < 10; ++seed) {
-            const FootprintData data = some_footprint(seed);
-            SetTexel texel = data.set;
-            texel.tau = 0;
-            SetColors colors;
-            colors.models = {ColorModel::mean, twin.model};
-            for (const double angle : twin.nodes_deg)
-                colors.node_cosines.push_back(static_cast<float>(std::cos(angle * kPi / 180)));
-            colors.harmonics = twin.harmonics;
-            const auto put = [&texel](const auto& table) {
-                std::copy(table.begin(), table.end(), texel.visible.begin());
-            };
-            if (twin.nodes_deg.size() == 2)
-                put(data.visible_2x1);
-            else if (twin.harmonics == 0)
-                put(data.visible_4x1);
-            else if (twin.harmonics == 1)
-                put(data.visible_4x3);
-            const Method& method = method_named(twin.name);
-            EXPECT_EQ(method.color(data, setting, wo), visible_color(texel, colors, twin.model, wo))
-                << twin.name;
-            EXPECT_EQ(method.radiance(data, setting, wo, wi),
-                      set_radiance(texel, colors, setting.material, wo, wi))
-                << twin.name;
-            EXPECT_NE(method.color(data, setting, wo), texel.color) << twin.name;
-        }
-}
-
 // Where color is a straight line in height and heights are normal, the published model and the
 // linear one are the same, and both are E[c] + slope of the line times the visible height's shift.
 TEST(Methods, VisibleHeightOfAStraightMapIsLinear)
 {
     const Rgb low = {0.1, 0.3, 0.2}, high = {0.9, 0.4, 0.8};
     const MapTable table = straight_table(low, high);
-    const MethodSetting setting{{0.3F, 0.04F}, &table};
+    const MethodSetting setting{{0.3F, 0.04F}, &table, some_nodes()};
     for (unsigned seed = 0; seed < 20; ++seed) {
         FootprintData data = some_footprint(seed);
         SetTexel& set = data.set;
@@ -412,7 +304,7 @@ TEST(Methods, VisibleHeightOfAStraightMapIsLinear)
 TEST(Methods, RankTermsBeyondTheFirstAddNothingToALine)
 {
     const MapTable table = straight_table({0, 0, 0}, {1, 1, 1});
-    const MethodSetting setting{{0.3F, 0.04F}, &table};
+    const MethodSetting setting{{0.3F, 0.04F}, &table, some_nodes()};
     FootprintData data = some_footprint(5);
     for (size_t n = 1; n < 8; ++n)
         data.set.rank[n] = {0, 0, 0};
@@ -429,41 +321,5 @@ TEST(Methods, RankTermsBeyondTheFirstAddNothingToALine)
     }
 }
 
-TEST(Toksvig, FullLengthAddsNothing)
-{
-    const auto slopes = toksvig_slopes(filter::normal(filter::Vec2<float>(0.5F, -0.25F)), 0.3F);
-    EXPECT_NEAR(slopes.mean.x, 0.5, 1e-6);
-    EXPECT_NEAR(slopes.mean.y, -0.25, 1e-6);
-    EXPECT_NEAR(slopes.covariance.ss, 0, 1e-6);
-    EXPECT_NEAR(slopes.covariance.tt, 0, 1e-6);
-}
-
-// By hand: s = 2 / 0.09 - 2 = 20.2222, times 0.5 / (0.5 + 0.5 s) is 0.952880; its roughness squared
-// 2 / 2.952880 = 0.677305, of which 0.09 are the material's.
-TEST(Toksvig, HasTheValueOfItsFormula)
-{
-    const auto slopes = toksvig_slopes({0, 0, 0.5F}, 0.3F);
-    EXPECT_NEAR(slopes.covariance.ss, (0.677305 - 0.09) / 2, 1e-5);
-}
-
-// Oracle: the mean normal of Gaussian slopes of deviation sigma by quadrature in polar coordinates,
-// E[(1 + r^2)^(-1/2)]. To first order in sigma^2 the covariance comes back.
-TEST(Toksvig, RecoversASmallSpread)
-{
-    for (const double sigma : {0.02, 0.05}) {
-        double length = 0;
-        const int steps = 20000;
-        for (int i = 0; i < steps; ++i) {
-            const double u = (i + 0.5) / steps; // P(r^2 > x) = exp(-x / (2 sigma^2))
-            length += 1 / std::sqrt(1 - 2 * sigma * sigma * std::log(u)) / steps;
-        }
-        const auto slopes = toksvig_slopes({0, 0, static_cast<float>(length)}, 0.1F);
-        // Powers and Beckmann roughness agree to first order in alpha^2, 0.01.
-        EXPECT_NEAR(slopes.covariance.ss / (sigma * sigma), 1, 0.03) << sigma;
-        EXPECT_EQ(slopes.covariance.ss, slopes.covariance.tt);
-        EXPECT_EQ(slopes.covariance.st, 0);
-    }
-}
-
 } // namespace
-} // namespace scree
+} // namespace scree::test

@@ -10,7 +10,7 @@ for words in 'naive MIP' 'rank 8' '1024 samples' 'noise of the truth' out/chart.
 done
 expect_equal "pictures" "$(ls out/*.svg | wc -l)" 16
 expect_equal "numbers" "$(head -n 1 out/chart.csv | cut -d, -f1-3)" asset,band_deg,method
-expect_equal "lines of numbers" "$(wc -l < out/chart.csv)" $((1 + 4 * 25))
+expect_equal "lines of numbers" "$(wc -l < out/chart.csv)" $((1 + 4 * 26))
 grep -q '</html>' out/chart.html || fail "chart: no whole page"
 grep -Eq 'src="http|href="http|<script' out/chart.html && fail "chart: the page needs a network"
 expect_equal "left in the temporary folder" "$(ls tmp)" ""
