@@ -25,7 +25,7 @@ struct BakeWords {
     std::vector<std::string> wrap, maps;
     std::string input = "height", normal_range = "auto", reconstruction = "bilinear";
     std::string pixel_type = "auto", compression = "zip", layout = "scree";
-    std::string visibility; ///< empty: not given
+    std::string visibility;    ///< empty: not given
     std::vector<double> nodes; ///< how many, or their angles
     std::optional<int> harmonics;
     std::string axes;

@@ -1,22 +1,16 @@
 #include "pipeline/model_errors.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 
 #include "kernel/filter.h"
-#include "kernel/visibility_table.h"
-#include "stats/kurtosis.h"
 
 namespace scree {
 
 namespace {
 
-constexpr double kRadian = 0.017453292519943295769;
 constexpr double kAtomsALevel = 1 << 18;
 constexpr double kLeastTexels = 64;
 
@@ -37,69 +31,13 @@ double hash(int level, int x, int y)
 
 double square(double x) { return x * x; }
 
-double lambda_of(const MeasuredView& view, const filter::Slopes<double>& slopes)
-{
-    return filter::masking(filter::Vec3<double>(view.x, view.y, view.z), slopes).lambda;
-}
-
 } // namespace
-
-struct ModelErrors::Texel {
-    Texel(const MomentLayout& layout, MomentRow texel) : row(texel)
-    {
-        weight = value(MomentLayout::weight);
-        slopes.mean = {value(layout.slope_s), value(layout.slope_t)};
-        slopes.covariance = {value(layout.slope_ss), value(layout.slope_st),
-                             value(layout.slope_tt)};
-        slopes.tau = layout.slope_tail >= 0 ? tail_of(layout, texel, 0).tau : 0;
-    }
-
-    [[nodiscard]] double value(int plane) const { return row.plane(plane)[0]; }
-
-    /// Slopes about the texture plane: what the exponent that is fitted goes by.
-    [[nodiscard]] filter::Slopes<double> about_plane() const
-    {
-        filter::Slopes<double> raw = slopes;
-        raw.mean = {0, 0};
-        raw.covariance.ss += square(slopes.mean.x);
-        raw.covariance.st += slopes.mean.x * slopes.mean.y;
-        raw.covariance.tt += square(slopes.mean.y);
-        return raw;
-    }
-
-    MomentRow row;
-    double weight = 0;
-    filter::Slopes<double> slopes;
-};
 
 ModelErrors::ModelErrors(const MomentLayout& layout, const ValueScale& scale, const MapTable* map,
                          const TableSizes& tables, const MeasuredViews& views, int width,
                          int height)
-    : layout_(layout), scale_(scale), map_(map), views_(views)
+    : layout_(layout), views_(views), models_(candidate_models(layout, scale, map, tables))
 {
-    auto add = [this](const std::string& name, int channels, int rank_terms = 0) {
-        Model& model = models_.emplace_back();
-        model.record.model = name;
-        model.record.channels = channels;
-        model.record.rank_terms = rank_terms;
-    };
-    add("mean color", 0);
-    if (map != nullptr)
-        add("map", 2); // height
-    for (int terms = 1; terms < layout.rank_terms; terms *= 2)
-        add(fmt::format("rank {}", terms), 3 * terms, terms);
-    if (layout.rank_terms > 0)
-        add(fmt::format("rank {}", layout.rank_terms), 3 * layout.rank_terms, layout.rank_terms);
-    if (layout.color_height >= 0)
-        add("colorheight", 5); // and height
-    if (layout.color_height >= 0 && layout.view_count > 0)
-        add("exponent", 8); // and colorheight
-    add_tables(tables.visibility, layout.visible);
-    add_tables(tables.tried, layout.tried);
-    std::stable_sort(models_.begin(), models_.end(), [](const Model& a, const Model& b) {
-        return a.record.channels < b.record.channels;
-    });
-
     const size_t elevations = views.elevations_deg.size();
     const double all = static_cast<double>(width) * height;
     for (int l = 0, w = width, h = height; l < level_count(width, height); ++l) {
@@ -118,51 +56,6 @@ ModelErrors::ModelErrors(const MomentLayout& layout, const ValueScale& scale, co
     }
 }
 
-/// A part of a table that is measured.
-void ModelErrors::add_table(const VisibilityPlan& measured, int first_plane,
-                            const std::vector<int>& nodes, int harmonics)
-{
-    Model& model = models_.emplace_back();
-    model.table = measured;
-    model.table.harmonics = harmonics;
-    model.table.node_angles_deg.clear();
-    auto add = [&](int node, int term) {
-        const int component = node * measured.terms() + term;
-        model.planes.push_back(first_plane + MomentLayout::kVisiblePlanes * component);
-    };
-    for (const int node : nodes) {
-        const double angle = measured.node_angles_deg[static_cast<size_t>(node)];
-        model.table.node_angles_deg.push_back(angle);
-        model.cosines.push_back(std::cos(angle * kRadian));
-        add(node, 0);
-        for (int term = 1; measured.axes && term < measured.terms(); ++term)
-            add(node, term);
-        for (const int wave : {0, 1}) // cosines, then sines
-            for (int h = 1; h <= harmonics; ++h)
-                add(node, wave * measured.harmonics + h);
-    }
-    const size_t size = nodes.size();
-    model.record.model = measured.axes ? fmt::format("visible {} axes", size)
-                                       : fmt::format("visible {}x{}", size, model.table.terms());
-    model.record.channels = MomentLayout::kVisiblePlanes * model.table.components();
-}
-
-/// All nodes; of harmonics as many and fewer, and besides the second and last node alone.
-void ModelErrors::add_tables(const VisibilityPlan& measured, int first_plane)
-{
-    const int count = static_cast<int>(measured.node_angles_deg.size());
-    std::vector<int> all(static_cast<size_t>(count));
-    std::iota(all.begin(), all.end(), 0);
-    if (measured.axes)
-        add_table(measured, first_plane, all, 0);
-    for (int harmonics = 0; harmonics <= measured.harmonics && !measured.axes; ++harmonics) {
-        if (count >= 4)
-            add_table(measured, first_plane, {1, count - 1}, harmonics);
-        if (count >= 1)
-            add_table(measured, first_plane, all, harmonics);
-    }
-}
-
 bool ModelErrors::is_picked(int level, int x, int y) const
 {
     return hash(level, x, y) < picked_[static_cast<size_t>(level)];
@@ -174,7 +67,7 @@ void ModelErrors::texels(int level, int y, int x0, int count, MomentRow row)
     for (int i = 0; i < count; ++i) {
         if (!(row.plane(MomentLayout::weight)[i] > 0) || !is_picked(level, x0 + i, y))
             continue;
-        const Texel texel(layout_, row.from(i));
+        const MeasuredTexel texel(layout_, row.from(i));
         sums.texels += texel.weight;
         add_slopes(texel, sums);
         if (layout_.view_count > 0)
@@ -185,7 +78,7 @@ void ModelErrors::texels(int level, int y, int x0, int count, MomentRow row)
             mean_color_[static_cast<size_t>(c)] = row.plane(layout_.color + c)[0];
 }
 
-void ModelErrors::add_slopes(const Texel& texel, Sums& sums) const
+void ModelErrors::add_slopes(const MeasuredTexel& texel, Sums& sums) const
 {
     const filter::Slopes<double>& slopes = texel.slopes;
     filter::Slopes<double> gaussian = slopes;
@@ -215,97 +108,59 @@ void ModelErrors::add_slopes(const Texel& texel, Sums& sums) const
     }
 }
 
-Rgb ModelErrors::by_table(const Model& model, const Texel& texel, const MeasuredView& view) const
+ModelErrors::Truth ModelErrors::truth_of(const MeasuredTexel& texel, int view) const
 {
-    double values[kMostVisibleChannels];
-    int count = 0;
-    for (const int plane : model.planes)
-        for (int i = 0; i < MomentLayout::kVisiblePlanes; ++i)
-            values[count++] = texel.value(plane + i);
-    const double axis = model.table.axis_deg * kRadian;
-    const filter::VisibilityTable<double> table{values,
-                                                model.cosines.data(),
-                                                static_cast<int>(model.cosines.size()),
-                                                model.table.harmonics,
-                                                model.table.axes,
-                                                std::cos(axis),
-                                                std::sin(axis)};
-    const filter::Vec3<double> color(texel.value(layout_.color), texel.value(layout_.color + 1),
-                                     texel.value(layout_.color + 2));
-    const auto seen = filter::visible_color(color, table, {view.x, view.y, view.z});
-    return {seen.x, seen.y, seen.z};
-}
-
-Rgb ModelErrors::shown(const Model& model, const Texel& texel, double lambda,
-                       const MeasuredView& view) const
-{
-    if (!model.planes.empty())
-        return by_table(model, texel, view);
-    Rgb color{};
+    const MomentRow& row = texel.row;
+    if (row.seen != nullptr) { // a texel of level 0
+        const int before = layout_.visible_components + layout_.tried_components;
+        return {1 + static_cast<double>(row.seen_of(before + view)[0]), texel.color};
+    }
+    const int first = layout_.views + MomentLayout::kVisiblePlanes * view;
+    Truth truth{1 + texel.value(first), {}};
     for (size_t c = 0; c < 3; ++c)
-        color[c] = texel.value(layout_.color + static_cast<int>(c));
-    if (model.record.model == "mean color")
-        return color;
-    const double mean = texel.value(layout_.height);
-    const double variance = texel.value(layout_.height_var);
-    const auto visible = filter::visible_height(lambda);
-    if (model.record.model == "map") {
-        const double sigma = std::sqrt(variance);
-        return lookup(*map_, scale_.h0 + scale_.h1 * (mean + sigma * visible.mean),
-                      scale_.h1 * sigma * std::sqrt(visible.variance));
-    }
-    for (size_t i = 0; i < 3; ++i) {
-        const int c = static_cast<int>(i);
-        if (model.record.rank_terms > 0) {
-            double a[kMaxRankTerms] = {};
-            for (int n = 0; n < model.record.rank_terms; ++n)
-                a[n] = texel.value(layout_.rank + 3 * n + c);
-            color[i] = kernel::scree_color_by_rank(color[i], a[0], a[1], a[2], a[3], a[4], a[5],
-                                                   a[6], a[7], lambda);
-        } else if (model.record.model == "colorheight") {
-            color[i] = kernel::scree_color_by_height(
-                color[i], texel.value(layout_.color_height + c) + color[i] * mean, mean,
-                variance + mean * mean, visible.mean);
-        }
-    }
-    return color;
+        truth.color[c] =
+            (texel.color[c] + texel.value(first + 3 - static_cast<int>(c))) / truth.area; // B G R
+    return truth;
 }
 
-void ModelErrors::add_colors(const Texel& texel, Sums& sums) const
+void ModelErrors::add_colors(const MeasuredTexel& texel, Sums& sums) const
 {
     const filter::Slopes<double> about_plane = texel.about_plane();
-    Rgb shift{};
-    if (sums.exponent) {
-        const double variance = texel.value(layout_.height_var);
-        for (size_t c = 0; c < 3; ++c)
-            shift[c] = variance > 0 ? texel.value(layout_.color_height + static_cast<int>(c)) /
-                                          std::sqrt(variance)
-                                    : 0;
+    Rgb shift{}; // of the color, by a deviation of height
+    if (sums.exponent && texel.height_var > 0) {
+        shift = texel.rgb(layout_.color_height);
+        for (double& channel : shift)
+            channel /= std::sqrt(texel.height_var);
     }
     for (size_t i = 0; i < views_.views.size(); ++i) {
         const MeasuredView& view = views_.views[i];
-        const int first = layout_.views + MomentLayout::kVisiblePlanes * static_cast<int>(i);
-        const double seen = 1 + texel.value(first);
-        if (!(seen > 1e-6))
+        const Truth truth = truth_of(texel, static_cast<int>(i));
+        if (!(truth.area > 1e-6))
             continue;
-        Rgb truth{}, more{};
-        for (size_t c = 0; c < 3; ++c) {
-            const double color = texel.value(layout_.color + static_cast<int>(c));
-            truth[c] = (color + texel.value(first + 3 - static_cast<int>(c))) / seen; // B G R
-            more[c] = truth[c] - color;
-        }
+        const SeenTexel seen(texel, view);
+        Rgb more{};
+        for (size_t c = 0; c < 3; ++c)
+            more[c] = truth.color[c] - texel.color[c];
         const auto e = static_cast<size_t>(view.elevation);
-        const double weight = texel.weight * seen;
-        const double lambda = lambda_of(view, texel.slopes);
+        const double weight = texel.weight * truth.area;
         sums.seen[e] += weight;
-        for (size_t m = 0; m < models_.size(); ++m) {
-            const Rgb color = shown(models_[m], texel, lambda, view);
-            for (size_t c = 0; c < 3; ++c)
-                sums.models[m][e] += weight / 3 * square(color[c] - truth[c]);
-        }
+        add_models(seen, truth.color, e, weight / 3, sums);
         if (sums.exponent)
-            sums.exponent->add(view.elevation, lambda_of(view, about_plane), shift, more,
-                               weight / 3);
+            sums.exponent->add(view.elevation, filter::masking(seen.w, about_plane).lambda, shift,
+                               more, weight / 3);
+    }
+}
+
+void ModelErrors::add_models(const SeenTexel& seen, const Rgb& truth, size_t elevation,
+                             double weight, Sums& sums) const
+{
+    const bool is_finest = seen.texel.row.seen != nullptr; // where tables show the color itself
+    for (size_t m = 0; m < models_.size(); ++m) {
+        if (models_[m].is_fitted() || (is_finest && models_[m].table.components() > 0))
+            continue;
+        const Rgb color = models_[m].shown(seen);
+        for (size_t c = 0; c < 3; ++c)
+            sums.models[m][elevation] += weight * square(color[c] - truth[c]);
     }
 }
 
@@ -355,15 +210,15 @@ double largest_rms(const std::vector<double>& squares, const std::vector<double>
 double ModelErrors::largest_error(const Sums& sums, size_t model,
                                   const std::optional<ExponentFit>& fit) const
 {
-    if (models_[model].record.model != "exponent")
-        return largest_rms(sums.models[model], sums.seen) / color_size();
-    return largest_rms(sums.exponent->squares(*fit), sums.seen) / color_size();
+    const Squares squares =
+        models_[model].is_fitted() ? sums.exponent->squares(*fit) : sums.models[model];
+    return largest_rms(squares, sums.seen) / color_size();
 }
 
 MeasuredModels ModelErrors::measured() const
 {
     MeasuredModels measured;
-    for (const Model& model : models_) {
+    for (const CandidateModel& model : models_) {
         measured.models.push_back(model.record);
         measured.tables.push_back(model.table);
     }

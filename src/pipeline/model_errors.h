@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "color/map_table.h"
+#include "pipeline/color_models.h"
 #include "pipeline/exponent_fit.h"
 #include "pipeline/measured_views.h"
 #include "pipeline/moment_pyramid.h"
@@ -23,7 +23,8 @@ struct MeasuredModels {
     double without_colorslope = 0, without_tail = 0;   ///< what is lost without a map
 };
 
-/// Measures what every way to show the visible color costs, over the views a recipe allows.
+/// Measures what every way to show the visible color (pipeline/color_models.h) costs, over the
+/// views a recipe allows.
 ///
 /// Truth is what the views see of the heights themselves: E[c V W] / E[V W] of the footprint, from
 /// sweeps (visibility/sweep.h). The error of a model at a level and elevation is the rms over
@@ -44,7 +45,7 @@ public:
     /// layout  with slope; with color, height and views, in the order of `views`, where color by
     ///         height is to be judged
     /// scale   world heights from normalised ones, which `map` is looked up with
-    /// map     table of a color map by height, or null
+    /// map     table of a color map by height, or null; outlives this
     /// tables  of visibility, their components in the layout; models are their subsets
     ModelErrors(const MomentLayout& layout, const ValueScale& scale, const MapTable* map,
                 const TableSizes& tables, const MeasuredViews& views, int width, int height);
@@ -64,35 +65,28 @@ private:
         Squares colorslope, tail;
         std::optional<ExponentBins> exponent;
     };
-    struct Model {
-        ModelRecord record;
-        VisibilityPlan table;         ///< of visibility; without nodes where it has none
-        std::vector<double> cosines;  ///< of its nodes
-        std::vector<int> planes = {}; ///< the first one of each of its components
-    };
-    /// What the models need of one texel.
-    struct Texel;
 
-    void add_table(const VisibilityPlan& measured, int first_plane, const std::vector<int>& nodes,
-                   int harmonics);
-    void add_tables(const VisibilityPlan& measured, int first_plane);
+    /// What a view sees of a texel.
+    struct Truth {
+        double area; ///< over that of a plane
+        Rgb color;
+    };
+
     [[nodiscard]] bool is_picked(int level, int x, int y) const;
-    [[nodiscard]] Rgb shown(const Model& model, const Texel& texel, double lambda,
-                            const MeasuredView& view) const;
-    [[nodiscard]] Rgb by_table(const Model& model, const Texel& texel,
-                               const MeasuredView& view) const;
-    void add_slopes(const Texel& texel, Sums& sums) const;
-    void add_colors(const Texel& texel, Sums& sums) const;
+    [[nodiscard]] Truth truth_of(const MeasuredTexel& texel, int view) const;
+    void add_slopes(const MeasuredTexel& texel, Sums& sums) const;
+    void add_colors(const MeasuredTexel& texel, Sums& sums) const;
+    /// The squared error of each model that shows something.
+    void add_models(const SeenTexel& seen, const Rgb& truth, size_t elevation, double weight,
+                    Sums& sums) const;
     [[nodiscard]] Sums total(int level) const;
     [[nodiscard]] double color_size() const;
     [[nodiscard]] double largest_error(const Sums& sums, size_t model,
                                        const std::optional<ExponentFit>& fit) const;
 
     MomentLayout layout_;
-    ValueScale scale_;
-    const MapTable* map_;
     MeasuredViews views_;
-    std::vector<Model> models_;
+    std::vector<CandidateModel> models_;
     std::vector<double> picked_;            ///< share of the texels of a level
     std::vector<std::vector<Sums>> blocks_; ///< [level][block]
     Rgb mean_color_{};                      ///< of the whole map: of the last level's one texel

@@ -23,9 +23,12 @@ MomentPyramid::MomentPyramid(const MomentLayout& layout, int width, int height,
     const int levels = level_count(width, height);
     for (int l = 0, w = width, h = height; l < levels; ++l) {
         const int capacity = std::min(h, kBatchRows + kRowsKept);
-        levels_.push_back({w, h, 0, capacity, {}});
-        levels_.back().data.resize(static_cast<size_t>(capacity) *
-                                   static_cast<size_t>(layout.planes) * static_cast<size_t>(w));
+        levels_.push_back({w, h, 0, capacity, {}, {}});
+        const size_t texels = static_cast<size_t>(capacity) * static_cast<size_t>(w);
+        const int planes = l == 0 ? layout.texel_planes : layout.planes;
+        levels_.back().data.resize(texels * static_cast<size_t>(planes));
+        if (l == 0)
+            levels_.back().seen.resize(texels * static_cast<size_t>(layout.seen_components()));
         const int next_w = coarser_size(w), next_h = coarser_size(h);
         if (l + 1 < levels)
             reductions_.emplace_back(layout, w, next_w);
@@ -38,10 +41,11 @@ MomentPyramid::MomentPyramid(const MomentLayout& layout, int width, int height,
 
 MomentRow MomentPyramid::row(Level& level, int y) const
 {
+    const size_t size = level.data.size() / static_cast<size_t>(level.capacity);
+    const size_t seen_size = level.seen.size() / static_cast<size_t>(level.capacity);
     const auto slot = static_cast<size_t>(y % level.capacity);
-    return {level.data.data() +
-                slot * static_cast<size_t>(layout_.planes) * static_cast<size_t>(level.width),
-            level.width};
+    return {level.data.data() + slot * size, level.width,
+            seen_size > 0 ? level.seen.data() + slot * seen_size : nullptr};
 }
 
 void MomentPyramid::push(int rows, const Fill& fill)

@@ -49,6 +49,7 @@ private:
         int done = 0;             ///< rows made so far
         int capacity;             ///< rows kept, the last ones made
         std::vector<double> data; ///< row y is slot y % capacity
+        std::vector<float> seen;  ///< likewise, of level 0
     };
     [[nodiscard]] MomentRow row(Level& level, int y) const;
     void push_batch(int rows, const Fill& fill);

@@ -145,6 +145,8 @@ double StorageError::largest_error(int level, MomentRow row, int count) const
 
 void StorageError::texels(int level, int /*y*/, int x0, int count, MomentRow row)
 {
+    if (map_ == Map::visible && level < kFirstSeenLevel)
+        return;
     auto& blocks = blocks_[static_cast<size_t>(level)];
     Largest& own = blocks[static_cast<size_t>(x0 / kBlockColumns)];
     for (int x = 0; x < count; x += kTileSize) {

@@ -201,28 +201,15 @@ void TexelMoments::fill_mapped_colors(const double* heights, int count, MomentRo
     }
 }
 
-/// The color of a texel is one, so what is seen of it is the color times the area seen.
 void TexelMoments::fill_seen(const VisibleBand& seen, int y, int x0, int count, MomentRow out) const
 {
     const double* weight = out.plane(MomentLayout::weight);
-    int component = 0;
-    auto fill = [&](int first) {
-        const float* excess = seen.row(component++, y) + x0;
-        double* area = out.plane(first);
+    for (int component = 0; component < layout_.seen_components(); ++component) {
+        const float* excess = seen.row(component, y) + x0;
+        float* area = out.seen_of(component);
         for (int x = 0; x < count; ++x)
-            area[x] = weight[x] > 0 ? static_cast<double>(excess[x]) : 0;
-        for (int c = 0; c < 3; ++c) {
-            const double* color = out.plane(layout_.color + c);
-            double* product = out.plane(first + 3 - c); // B G R
-            for (int x = 0; x < count; ++x)
-                product[x] = area[x] * color[x];
-        }
-    };
-    for (const auto& [first, components] : {std::pair{layout_.visible, layout_.visible_components},
-                                            std::pair{layout_.tried, layout_.tried_components},
-                                            std::pair{layout_.views, layout_.view_count}})
-        for (int i = 0; i < components; ++i)
-            fill(first + MomentLayout::kVisiblePlanes * i);
+            area[x] = weight[x] > 0 ? excess[x] : 0;
+    }
 }
 
 } // namespace scree

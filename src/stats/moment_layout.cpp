@@ -67,6 +67,7 @@ MomentLayout::MomentLayout(const MomentSet& set)
         rank = planes;
         planes += 3 * rank_terms;
     }
+    texel_planes = planes;
     if (set.visible_nodes > 0 && set.color) {
         visible_terms = set.visible_terms;
         visible_components = set.visible_nodes * visible_terms;

@@ -38,6 +38,7 @@ struct MomentLayout {
     int planes = 1;
     int merged_planes = 1; ///< the first ones, which merge() makes; the rest is merged elsewhere
     static constexpr int kMaxMergedPlanes = 32;
+    int texel_planes = 1; ///< the first ones, which texels of level 0 have; see MomentRow::seen
     static constexpr int weight = 0; ///< coverage in [0, 1]; 0 is no data
 
     int slope_s = -1, slope_t = -1;
@@ -57,29 +58,42 @@ struct MomentLayout {
 
     /// Of each component of a table of visibility E[v], E[B v], E[G v], E[R v] with v what it sees
     /// more than the mean (visibility/view_components.h), consecutive; of the table tried and of
-    /// single views likewise.
+    /// single views likewise. From level 1 on: a texel of level 0 has one color.
     int visible = -1, tried = -1, views = -1;
     int visible_components = 0; ///< nodes times terms, node by node
     int visible_terms = 1;
     int tried_components = 0;
     int view_count = 0;
     static constexpr int kVisiblePlanes = 4; ///< of a component, of a view
+    /// Of both tables and the views, one after the other in this order.
+    [[nodiscard]] int seen_components() const
+    {
+        return visible_components + tried_components + view_count;
+    }
 
     std::vector<int> means;              ///< planes of the means
     std::vector<Covariance> covariances; ///< all second central moments
 };
 
-/// One row of texels: `planes` arrays of doubles, `stride` apart.
+/// One row of texels: `planes` arrays of doubles, `stride` apart; of level 0 `texel_planes`.
 struct MomentRow {
     double* data = nullptr;
     int stride = 0;
+    float* seen = nullptr; ///< of level 0: v of each component, as many arrays, `stride` apart
 
     [[nodiscard]] double* plane(int index) const
     {
         return data + static_cast<long>(index) * stride;
     }
     /// The same row from texel x on.
-    [[nodiscard]] MomentRow from(int x) const { return {data + x, stride}; }
+    [[nodiscard]] MomentRow from(int x) const
+    {
+        return {data + x, stride, seen == nullptr ? nullptr : seen + x};
+    }
+    [[nodiscard]] float* seen_of(int component) const
+    {
+        return seen + static_cast<long>(component) * stride;
+    }
 };
 
 } // namespace scree

@@ -20,4 +20,11 @@ namespace scree {
 void mean_planes(int first, int count, const MomentRow* fine_rows, const Share& rows,
                  const Share* columns, int x0, int x1, MomentRow coarse);
 
+/// The same of what is seen of texels of level 0, each of one color c: the planes of layout's
+/// components become the means of v and c v.
+///
+/// fine_rows  of level 0, with MomentRow::seen
+void mean_seen(const MomentLayout& layout, const MomentRow* fine_rows, const Share& rows,
+               const Share* columns, int x0, int x1, MomentRow coarse);
+
 } // namespace scree

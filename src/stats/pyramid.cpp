@@ -1,7 +1,6 @@
 #include "stats/pyramid.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "stats/plane_means.h"
 
@@ -95,11 +94,11 @@ void Reduction::row(const MomentRow* fine_rows, const Share& rows, int x0, int x
         }
         merge(layout_, parts, part_count, coarse.from(begin), count);
     }
-    for (const auto& [first, count] : {std::pair{layout_.visible, layout_.visible_components},
-                                       std::pair{layout_.tried, layout_.tried_components},
-                                       std::pair{layout_.views, layout_.view_count}})
-        mean_planes(first, MomentLayout::kVisiblePlanes * count, fine_rows, rows, columns_.data(),
-                    x0, x1, coarse);
+    if (fine_rows[0].seen != nullptr)
+        mean_seen(layout_, fine_rows, rows, columns_.data(), x0, x1, coarse);
+    else
+        mean_planes(layout_.texel_planes, layout_.planes - layout_.texel_planes, fine_rows, rows,
+                    columns_.data(), x0, x1, coarse);
 }
 
 } // namespace scree
