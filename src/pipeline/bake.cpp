@@ -63,8 +63,9 @@ struct SetPlan {
     std::optional<MeasuredModels> models;
 };
 
-/// Goes over the surface to measure: what storage costs, for the pixel types, and what every color
-/// model costs, for the choice of maps. The levels reported then know of maps that are dropped.
+/// Goes over the surface to measure what must be known before anything is written: what storage
+/// costs, for the pixel types, and what every color model costs, for the choice of maps and for
+/// what is fitted. The levels reported then know of maps that are dropped.
 ///
 /// heights  what views see is swept over; null where none is asked for
 void measure(const Surface& surface, const HeightGrid* heights, SetPlan& plan, Manifest& manifest)
@@ -136,14 +137,18 @@ void fit_to(const HeightGrid& heights, const BakeOptions& options, TableSizes& t
     }
 }
 
-/// Writes all textures but the table of a color map; returns the summaries of their levels, those
-/// of the measuring pass where there are any: they know of more maps.
-std::vector<LevelSummary> write_textures(const Surface& surface, const SetPlan& plan,
+/// Writes all textures but the table of a color map, and measures the models of color on the way
+/// where that was not done before; returns the summaries of their levels, those of the measuring
+/// pass where there are any: they know of more maps.
+std::vector<LevelSummary> write_textures(const Surface& surface, SetPlan& plan,
                                          const HeightGrid* heights, const Manifest& manifest,
                                          const std::filesystem::path& folder)
 {
-    const MomentLayout layout =
-        moments_for(plan.maps, plan.tables, 0, surface.source, surface.options);
+    const MeasuredViews views(surface.options.max_view_angle_deg);
+    const bool measures = heights != nullptr && !plan.models;
+    const std::vector<ViewAngles> more = measures ? views.angles : std::vector<ViewAngles>();
+    const MomentLayout layout = moments_for(plan.maps, plan.tables, static_cast<int>(more.size()),
+                                            surface.source, surface.options);
     ValueScale scale = surface.scale();
     if (plan.models)
         for (const auto& fit : plan.models->exponents)
@@ -168,25 +173,36 @@ std::vector<LevelSummary> write_textures(const Surface& surface, const SetPlan& 
         visitors.push_back(output.rows.get());
         outputs.push_back(std::move(output));
     }
+    std::optional<ModelErrors> models;
+    if (measures)
+        visitors.push_back(&models.emplace(layout, scale, plan.map_table, plan.tables, views,
+                                           surface.width(), surface.height()));
     std::optional<SeenRows> seen;
-    if (heights != nullptr && plan.tables.visibility.components() > 0)
-        seen.emplace(*heights, plan.tables, std::vector<ViewAngles>());
+    if (heights != nullptr)
+        seen.emplace(*heights, plan.tables, more);
     StripReader strips(surface.source, surface.found, surface.options,
                        seen ? seen->bands() : nullptr, true);
     MomentPyramid pyramid(layout, surface.width(), surface.height(), visitors);
     write_pass(strips, pyramid, texels_of(surface, layout), outputs, surface.height(),
                surface.monitor);
+    if (models)
+        plan.models = models->measured();
     return is_reported ? manifest.levels : report.summaries();
+}
+
+/// Whether maps are made of what a measurement finds.
+bool has_fit(const std::vector<Map>& maps)
+{
+    return std::find(maps.begin(), maps.end(), Map::exponent) != maps.end();
 }
 
 /// Tells every level what the models leave of it.
 void report_models(const MeasuredModels& models, const std::vector<Map>& maps,
                    std::vector<LevelSummary>& levels)
 {
-    const bool fitted = std::find(maps.begin(), maps.end(), Map::exponent) != maps.end();
     for (size_t level = 0; level < levels.size(); ++level) {
         levels[level].model_errors = models.levels[level];
-        if (fitted)
+        if (has_fit(maps))
             levels[level].exponent = models.exponents[level];
     }
 }
@@ -242,7 +258,7 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
     const HeightGrid* heights = spooled ? &*spooled : nullptr;
     if (heights != nullptr)
         fit_to(*heights, options, plan.tables);
-    if (options.auto_maps || options.pixel_type == PixelTypeChoice::automatic || heights != nullptr)
+    if (options.auto_maps || options.pixel_type == PixelTypeChoice::automatic || has_fit(plan.maps))
         measure(surface, heights, plan, manifest);
     if (options.auto_maps)
         choose(options, plan, manifest);

@@ -9,8 +9,9 @@ namespace scree {
 /// Bakes a texture set from files into options.output.
 ///
 /// Goes over the inputs twice: a cheap survey (h0, h1, holes, the rows a periodic map needs), and
-/// the pass that makes every level and writes its tiles as they become ready. `--pixel-type auto`
-/// adds a pass in between that measures what half storage would cost. They are decoded once and
+/// the pass that makes every level and writes its tiles as they become ready. What must be known
+/// before that is measured in a pass in between: what half storage would cost (`--pixel-type
+/// auto`), what models of color leave (`--maps auto`), a fitted exponent. They are decoded once and
 /// kept, as floats, in an unnamed file beside the output. Reading, computing, compression and
 /// writing overlap; memory grows with the map's width. The bytes written depend on inputs and
 /// options alone, not on options.threads.

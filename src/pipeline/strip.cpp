@@ -1,6 +1,7 @@
 #include "pipeline/strip.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "stats/merge.h"
@@ -203,9 +204,10 @@ void TexelMoments::fill_mapped_colors(const double* heights, int count, MomentRo
 
 void TexelMoments::fill_seen(const VisibleBand& seen, int y, int x0, int count, MomentRow out) const
 {
+    assert(x0 / kSweptColumns == (x0 + count - 1) / kSweptColumns); // one block of the band
     const double* weight = out.plane(MomentLayout::weight);
     for (int component = 0; component < layout_.seen_components(); ++component) {
-        const float* excess = seen.row(component, y) + x0;
+        const float* excess = seen.at(component, x0, y);
         float* area = out.seen_of(component);
         for (int x = 0; x < count; ++x)
             area[x] = weight[x] > 0 ? excess[x] : 0;

@@ -4,15 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace scree {
-
-namespace {
-
-/// Columns that are swept together: longer than what lines start with before them.
-constexpr int kBlockWidth = 512;
-
-} // namespace
 
 std::shared_ptr<const VisibleBand> VisibleBands::with_row(int y)
 {
@@ -23,27 +17,19 @@ std::shared_ptr<const VisibleBand> VisibleBands::with_row(int y)
     band->first_row = y / kBandRows * kBandRows;
     band->rows = std::min(kBandRows, shape.height - band->first_row);
     band->width = shape.width;
-    band->excess.resize(static_cast<size_t>(components_.count()) * static_cast<size_t>(band->rows) *
-                        static_cast<size_t>(band->width));
-    const int blocks = (shape.width + kBlockWidth - 1) / kBlockWidth;
+    band->components = components_.count();
+    band->excess.reset(
+        new float[static_cast<size_t>(band->components) * static_cast<size_t>(band->rows) *
+                  static_cast<size_t>(band->width)]); // see() fills it
+    const int blocks = (shape.width + kSweptColumns - 1) / kSweptColumns;
     tbb::parallel_for(0, blocks, [&](int i) {
-        const int x0 = i * kBlockWidth;
-        const TexelBlock block{x0, band->first_row, std::min(kBlockWidth, shape.width - x0),
+        const int x0 = i * kSweptColumns;
+        const TexelBlock block{x0, band->first_row, std::min(kSweptColumns, shape.width - x0),
                                band->rows};
-        const size_t texels = static_cast<size_t>(block.width) * static_cast<size_t>(block.height);
-        std::vector<float> excess(static_cast<size_t>(components_.count()) * texels);
         std::vector<float*> planes;
-        planes.reserve(static_cast<size_t>(components_.count()));
-        for (int c = 0; c < components_.count(); ++c)
-            planes.push_back(excess.data() + static_cast<size_t>(c) * texels);
+        for (int c = 0; c < band->components; ++c)
+            planes.push_back(band->at(c, x0, band->first_row));
         components_.see(heights_, block, planes.data());
-        for (int c = 0; c < components_.count(); ++c)
-            for (int row = 0; row < block.height; ++row)
-                std::copy_n(planes[static_cast<size_t>(c)] +
-                                static_cast<ptrdiff_t>(row) * block.width,
-                            block.width,
-                            band->excess.data() +
-                                (static_cast<ptrdiff_t>(c) * band->rows + row) * band->width + x0);
     });
     last_ = std::move(band);
     return last_;

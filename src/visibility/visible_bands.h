@@ -1,27 +1,33 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 #include "visibility/view_components.h"
 
 namespace scree {
 
-/// What views see of some rows of a map.
-struct VisibleBand {
-    int first_row = 0, rows = 0, width = 0;
-    std::vector<float> excess; ///< component by component, row by row
+constexpr int kBandRows = 128;
 
-    [[nodiscard]] const float* row(int component, int y) const
+/// Columns that are swept together: longer than what lines start with before them.
+constexpr int kSweptColumns = 512;
+
+/// What views see of some rows of a map, in blocks of kSweptColumns.
+struct VisibleBand {
+    int first_row = 0, rows = 0, width = 0, components = 0;
+    std::unique_ptr<float[]> excess; ///< block by block, component by component, row by row
+
+    /// From a texel on, up to the end of its block.
+    [[nodiscard]] float* at(int component, int x, int y) const
     {
-        const auto w = static_cast<std::ptrdiff_t>(width);
-        return excess.data() +
-               (static_cast<std::ptrdiff_t>(component) * rows + (y - first_row)) * w;
+        const int before = x / kSweptColumns * kSweptColumns;
+        const std::ptrdiff_t columns = std::min(kSweptColumns, width - before);
+        const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(component) * rows + (y - first_row);
+        return excess.get() + static_cast<std::ptrdiff_t>(before) * rows * components +
+               row * columns + (x - before);
     }
 };
-
-constexpr int kBandRows = 128;
 
 /// Bands of kBandRows rows, made one after the other as they are asked for, on all cores.
 class VisibleBands {

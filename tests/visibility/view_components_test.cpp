@@ -109,7 +109,7 @@ TEST(VisibleBands, HoldWhatTheirBlocksSee)
         const auto planes = see(grid, components, {0, y, 530, 1});
         for (int c = 0; c < components.count(); ++c)
             for (int x = 0; x < 530; ++x)
-                ASSERT_EQ(band->row(c, y)[x],
+                ASSERT_EQ(*band->at(c, x, y),
                           planes[static_cast<size_t>(c)][static_cast<size_t>(x)])
                     << "component " << c << " at " << x << ", " << y;
     }
