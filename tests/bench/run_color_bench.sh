@@ -11,7 +11,7 @@
 # Tables are of 4 nodes from 8 azimuths. "auto" measures every way besides and drops what it can.
 # Halves; wall seconds, median; memory, the largest. Prints a table.
 # Exit status: 0 done, 1 failed, or a rank table of 4 terms takes more than 4 times as long, or a
-# table of visibility without harmonics more than 6 times, 2 usage.
+# table of visibility more than 6 times, 2 usage.
 set -euo pipefail
 export LC_ALL=C
 
@@ -31,10 +31,11 @@ options_of() { # NAME
         rank8) echo "--maps $mean,rank --rank-terms 8" ;;
         corrected) echo "--visibility corrected" ;;
         tables*) echo "--visibility tables --harmonics ${1#tables}" ;;
+        axes) echo "--visibility tables --axes auto" ;;
         auto) echo "--maps auto" ;;
     esac
 }
-names="mean linear rank4 rank8 corrected tables0 tables1 tables2 auto"
+names="mean linear rank4 rank8 corrected tables0 tables1 tables2 axes auto"
 bake() { # NAME COMPRESSION: a line "seconds kilobytes" to NAME.runs
     # shellcheck disable=SC2046 # several words
     /usr/bin/time -q -f "%e %M" -o "$work/time" "$scree" bake "$work/pair/fractal.toml" \
@@ -55,7 +56,7 @@ for compression in none zip; do
     done
     base=$(cut -d' ' -f1 "$work/mean.runs" | median)
     for name in $names; do
-        case $name in rank4) bound=4 ;; tables0) bound=6 ;; *) bound=1e9 ;; esac
+        case $name in rank4) bound=4 ;; tables* | axes) bound=6 ;; *) bound=1e9 ;; esac
         seconds=$(cut -d' ' -f1 "$work/$name.runs" | median)
         memory=$(cut -d' ' -f2 "$work/$name.runs" | sort -n | tail -1)
         awk -v c=$compression -v n="$name" -v s="$seconds" -v base="$base" -v m="$memory" \
