@@ -52,7 +52,7 @@ int wait_for_child()
         return 128 + signal;
     const std::string what = note->inputs[0] != '\0' ? note->inputs : "scree";
     const char* reason = signal == SIGKILL ? "was killed, perhaps for want of memory"
-                                           : "crashed in an image library; the file is damaged";
+                                           : "crashed; the file is damaged, or else report this";
     fmt::print(stderr, "scree: error: {}: {} (signal {})\n", what, reason, signal);
     if (note->output[0] != '\0')
         StagedFolder::remove_leftovers(note->output, child);
