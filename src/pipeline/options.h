@@ -69,11 +69,11 @@ struct BakeOptions {
 
     std::vector<Map> maps;  ///< empty: those the inputs allow
     bool auto_maps = false; ///< drop those of them that no view needs (pipeline/model_errors.h)
+    /// Nodes of `table` go to where the surface begins to hide (moved_node_angles()).
+    bool move_nodes = true;
     double max_view_angle_deg = 85; ///< from the normal; the steepest view that auto_maps looks at
     double model_tolerance = 0.01;  ///< of the visible color, relative, see pipeline/model_errors.h
     VisibilityPlan table{best_node_angles(kDefaultNodes), 0, 8}; ///< of Map::visible
-    /// Nodes of `table` go to where the surface begins to hide (moved_node_angles()).
-    bool move_nodes = true;
     /// Of tables along axes, also those that auto_maps tries; absent: where most slopes lie
     /// (visibility/slope_survey.h).
     std::optional<double> axis_deg;
