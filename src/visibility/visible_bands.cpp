@@ -27,6 +27,7 @@ std::shared_ptr<const VisibleBand> VisibleBands::with_row(int y)
         const TexelBlock block{x0, band->first_row, std::min(kSweptColumns, shape.width - x0),
                                band->rows};
         std::vector<float*> planes;
+        planes.reserve(static_cast<size_t>(band->components));
         for (int c = 0; c < band->components; ++c)
             planes.push_back(band->at(c, x0, band->first_row));
         components_.see(heights_, block, planes.data());
