@@ -21,6 +21,17 @@ std::string triple(const std::optional<std::array<double, 3>>& rgb)
 
 size_t column_width(const LevelError& error) { return std::max<size_t>(error.model.size(), 7); }
 
+void print_visibility(const VisibilityRecord& table)
+{
+    fmt::print("  visibility from {} azimuths at {:g} degrees from the normal, ", table.azimuths,
+               fmt::join(table.node_angles_deg, ", "));
+    if (table.axis_deg)
+        fmt::print("along axes at {:.4g} and {:.4g} degrees from +s\n", *table.axis_deg,
+                   *table.axis_deg + 90);
+    else
+        fmt::print("{} harmonic{}\n", table.harmonics, table.harmonics == 1 ? "" : "s");
+}
+
 } // namespace
 
 void print_head(const Manifest& m)
@@ -38,6 +49,8 @@ void print_head(const Manifest& m)
                    m.height_min, m.height_max, m.h0, m.h1);
     if (!m.working_space.empty())
         fmt::print("  colors in {}\n", m.working_space);
+    if (m.visibility)
+        print_visibility(*m.visibility);
     if (m.no_data_texels > 0)
         fmt::print("  {} texels without data\n", m.no_data_texels);
 }
@@ -120,9 +133,11 @@ void print_model_errors(const Manifest& m)
             fmt::print(" {:>{}.2g}", error.error, column_width(error));
         fmt::print("\n");
     }
-    fmt::print("\nwhat each way to tell the visible color leaves (rms, relative, of the worst "
-               "elevation), measured on the heights:\nmean color, rank and colorheight with "
-               "Smith's exponent, colorheight with a fitted exponent, visible NODESxTERMS.\n");
+    fmt::print(
+        "\nwhat each way to tell the visible color leaves (rms, relative, of the worst "
+        "elevation), measured on the heights:\nmean color, rank and colorheight with "
+        "Smith's exponent, colorheight with a fitted exponent, visible NODESxTERMS, or NODES "
+        "along axes.\n");
 }
 
 void print_color_map(const Manifest& m)

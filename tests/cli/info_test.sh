@@ -26,6 +26,12 @@ expect_success "info of a steep set" -- "$scree" info steep
 grep -q 'rms slope' stdout || fail "info: expected the warning of the bake in: $(cat stdout)"
 
 expect_usage_error "info of nothing" 'set' -- "$scree" info
+expect_success "a bake with tables" -- "$scree" bake pair/fractal.toml -o seen --quiet \
+    --visibility tables --nodes 60,80 --axes 15
+expect_success "info of tables" -- "$scree" info seen
+grep -q 'visibility from 8 azimuths at 60, 80 degrees from the normal, along axes at 15 and 105' stdout ||
+    fail "info: expected nodes and axes in: $(cat stdout)"
+
 expect_error "no such set" 'gone: no such' -- "$scree" info gone
 expect_error "a folder without a set" 'pair: no texture set here' -- "$scree" info pair
 expect_error "a texture" 'fractal\.slope\.exr: not a Scree manifest; name the folder' -- "$scree" info set/fractal.slope.exr

@@ -53,6 +53,18 @@ for value in x nan; do
     refuses 'auto, or an angle in degrees' "$value" -- "$scree" bake --height heights.exr -o out --axes "$value"
 done
 
+for value in 0 2.5 -3 nan; do
+    expect_usage_error "--nodes $value" \
+        "^scree: error: --nodes $value: expected how many, 1 to 6, or their angles\$" -- \
+        "$scree" bake --height heights.exr -o out --nodes "$value"
+done
+for value in 80,70 70,70 80,90 60,nan; do
+    expect_usage_error "--nodes $value" '^scree: error: --nodes: .* expected rising angles' -- \
+        "$scree" bake --height heights.exr -o out --nodes "$value"
+done
+expect_usage_error "seven nodes" '--nodes: 7 of them; must be 1 to 6' -- \
+    "$scree" bake --height heights.exr -o out --nodes 10,20,30,40,50,60,70
+
 # a recipe's numbers are held to the same
 printf '[validate]\nradiance-tolerance = nan\n' > bad.toml
 expect_usage_error "a tolerance that is no number" \
