@@ -1,18 +1,14 @@
-#pragma once
+// What C++ needs to read scree_filter.h and the files that go with it: Real is a template parameter,
+// float or double. Include kernel/filter.h and its neighbours instead; each undefines the macros
+// again, so they are defined at every inclusion, and the rest only once.
 
-// What C++ needs to read scree_filter.h: Real is a template parameter, float or double. Include
-// kernel/filter.h instead; it undefines the macros again.
+#ifndef SCREE_PRELUDE_CPP
+#define SCREE_PRELUDE_CPP
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-
-#define SCREE_FUNCTION                                                                             \
-    template <typename Real>                                                                       \
-    [[gnu::always_inline]] inline
-#define LIT(x) static_cast<Real>(x)
-#define OUT(type, name) type& name
 
 namespace scree::kernel {
 
@@ -96,3 +92,11 @@ using std::sqrt;
 }
 
 } // namespace scree::kernel
+
+#endif
+
+#define SCREE_FUNCTION                                                                             \
+    template <typename Real>                                                                       \
+    [[gnu::always_inline]] inline
+#define LIT(x) static_cast<Real>(x)
+#define OUT(type, name) type& name
