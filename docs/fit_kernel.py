@@ -140,3 +140,60 @@ fit_polynomial("(exp(r) - 1 - r) / r^2", lambda r: (mp.exp(r) - 1 - r) / r**2,
                half * np.cos(np.pi * (np.arange(400) + 0.5) / 400), 4)
 fit_polynomial("atan(q) / q in q^2", lambda x: mp.atan(mp.sqrt(x)) / mp.sqrt(x),
                chebyshev(400) * 1.0001, 8)
+
+
+# --- scree_k0.h ---------------------------------------------------------------------------------
+
+
+def fit_near(name, f, whole, degree, limit):
+    """f in x^2, x in (0, limit], to an error relative to `whole`, the sum that it is a part of."""
+    s = chebyshev(400) * limit**2 * 1.0001
+    value, size = (np.array([float(g(mp.sqrt(mp.mpf(v)))) for v in s]) for g in (f, whole))
+    columns = np.stack([s**i for i in range(degree + 1)], axis=1)
+    worst, c = lawson(columns, value, lambda _: size, lambda c: columns @ c,
+                      lambda got: np.abs((got - value) / size), 60)
+    show(name, worst, c=c)
+
+
+def fit_far(name, f, degree, limit):
+    """P / Q in t = limit / x, x >= limit, Q with constant term 1."""
+    t = chebyshev(400) * 1.0001
+    value = np.array([float(f(limit / mp.mpf(v))) for v in t])
+    columns = np.stack([t**i for i in range(degree + 1)] +
+                       [-value * t**j for j in range(1, degree + 1)], axis=1)
+
+    def parts(x):
+        return np.polyval(x[degree::-1], t), np.polyval(np.append(1.0, x[degree + 1:])[::-1], t)
+
+    def scale(x):
+        return value * (1.0 if x is None else np.abs(parts(x)[1]))
+
+    worst, x = lawson(columns, value, scale, lambda x: np.divide(*parts(x)),
+                      lambda got: np.abs(got / value - 1), 80, 6, lambda x: parts(x)[1].min() > 0)
+    show(name, worst, p=x[:degree + 1], q=np.append(1.0, x[degree + 1:]))
+
+
+def disk(x):
+    """(1 - x K1(x)) / x^2"""
+    return (1 - x * mp.besselk(1, x)) / x**2
+
+
+fit_polynomial("atanh(s) / s in s^2", lambda x: mp.atanh(mp.sqrt(x)) / mp.sqrt(x),
+               chebyshev(400) * 0.0295, 3)
+fit_polynomial("sin(2 pi t) / t in t^2", lambda x: mp.sin(2 * mp.pi * mp.sqrt(x)) / mp.sqrt(x),
+               chebyshev(400) * 0.062501, 5)
+fit_near("(I0(x) - 1) / x^2 in x^2", lambda x: (mp.besseli(0, x) - 1) / x**2,
+         lambda x: (mp.besseli(0, x) - 1) / x**2, 6, 4)
+fit_near("I1(x) / x in x^2", lambda x: mp.besseli(1, x) / x, lambda x: mp.besseli(1, x) / x, 6, 4)
+fit_near("K0(x) + ln(x / 2) I0(x) in x^2",
+         lambda x: mp.besselk(0, x) + mp.log(x / 2) * mp.besseli(0, x),
+         lambda x: mp.besselk(0, x), 5, 2)
+fit_near("(1 - x K1(x)) / x^2 + ln(x / 2) I1(x) / x in x^2",
+         lambda x: disk(x) + mp.log(x / 2) * mp.besseli(1, x) / x, disk, 5, 2)
+fit_far("sqrt(x) exp(x) K0(x) in 2 / x",
+        lambda x: mp.sqrt(x) * mp.exp(x) * mp.besselk(0, x), 3, 2)
+fit_far("sqrt(x) exp(x) K1(x) in 2 / x",
+        lambda x: mp.sqrt(x) * mp.exp(x) * mp.besselk(1, x), 3, 2)
+for order in (0, 1):
+    fit_far(f"sqrt(x) exp(-x) I{order}(x) in 4 / x",
+            lambda x: mp.sqrt(x) * mp.exp(-x) * mp.besseli(order, x), 4, 4)

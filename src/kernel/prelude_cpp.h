@@ -1,6 +1,6 @@
-// What C++ needs to read scree_filter.h and the files that go with it: Real is a template parameter,
-// float or double. Include kernel/filter.h and its neighbours instead; each undefines the macros
-// again, so they are defined at every inclusion, and the rest only once.
+// What C++ needs to read scree_filter.h and the files that go with it: Real is a template
+// parameter, float or double. Include kernel/filter.h and its neighbours instead; each undefines
+// the macros again, so they are defined at every inclusion, and the rest only once.
 
 #ifndef SCREE_PRELUDE_CPP
 #define SCREE_PRELUDE_CPP
@@ -89,6 +89,29 @@ using std::sqrt;
     double power = 0;
     std::memcpy(&power, &bits, sizeof bits);
     return power;
+}
+
+/// m of x = m 2^n, m within a few roundings of [sqrt(1/2), sqrt(2)], n an integer; x > 0, a normal
+/// number. Exact.
+[[gnu::always_inline]] inline float scree_split(float x, float& n)
+{
+    uint32_t bits = 0;
+    std::memcpy(&bits, &x, sizeof bits);
+    const int32_t k = static_cast<int32_t>(bits - 0x3f3504f3U) >> 23;
+    n = static_cast<float>(k);
+    bits -= static_cast<uint32_t>(k) << 23U;
+    std::memcpy(&x, &bits, sizeof bits);
+    return x;
+}
+[[gnu::always_inline]] inline double scree_split(double x, double& n)
+{
+    uint64_t bits = 0;
+    std::memcpy(&bits, &x, sizeof bits);
+    const int64_t k = static_cast<int64_t>(bits - 0x3fe6a09e667f3bcdU) >> 52;
+    n = static_cast<double>(k);
+    bits -= static_cast<uint64_t>(k) << 52U;
+    std::memcpy(&x, &bits, sizeof bits);
+    return x;
 }
 
 } // namespace scree::kernel

@@ -13,7 +13,7 @@ precision highp int;
 #define LIT(x) x
 #define OUT(type, name) out type name
 
-// The three functions are explained in prelude_cpp.h.
+// The four functions are explained in prelude_cpp.h.
 
 float scree_high_part(float x)
 {
@@ -29,6 +29,13 @@ float scree_exp2_minus_nearest(float x, out float n)
     int k = int(x + 0.5);
     n = float(k);
     return k <= 118 ? uintBitsToFloat(uint(127 - k) << 23u) : 0.0;
+}
+
+float scree_split(float x, out float n)
+{
+    int k = (floatBitsToInt(x) - 0x3f3504f3) >> 23;
+    n = float(k);
+    return intBitsToFloat(floatBitsToInt(x) - (k << 23));
 }
 
 #endif

@@ -8,7 +8,7 @@
 #define LIT(x) x
 #define OUT(type, name) output type name
 
-// The three functions are explained in prelude_cpp.h.
+// The four functions are explained in prelude_cpp.h.
 
 // OSL sees no bits; 4097 = 2^12 + 1, Veltkamp's splitting. Above 1e34 a number is its own high
 // part: the product would overflow.
@@ -26,6 +26,13 @@ float scree_exp2_minus_nearest(float x, output float n)
 {
     n = trunc(x + 0.5);
     return n <= 118.0 ? exp2(-n) : 0.0;
+}
+
+// However roughly OSL takes log2: n only chooses, and the product is exact.
+float scree_split(float x, output float n)
+{
+    n = floor(log2(x) + 0.5);
+    return x * exp2(-n);
 }
 
 #endif

@@ -5,7 +5,7 @@
 //   LIT(x)                a literal of type Real
 //   OUT(Real, name)       an output parameter
 //   SCREE_FUNCTION        what stands before a function
-//   scree_high_part, scree_opaque, scree_exp2_minus_nearest   see prelude_cpp.h
+//   scree_high_part, scree_opaque, scree_exp2_minus_nearest, scree_split   see prelude_cpp.h
 // and everything below is arithmetic on scalars, so that three compilers read the same text; of the
 // languages' own functions it calls abs, min, max, sqrt and pow. That is why it is one file.
 // docs/filtering.md derives the formulas.
@@ -364,6 +364,14 @@ SCREE_FUNCTION Real scree_projected_area(Real wx, Real wy, Real wz, Real ms, Rea
     return max(a, LIT(0.0)) + b * tail;
 }
 
+/// Smith's Lambda and G1 where z and tail(z) are known; see scree_masking.
+SCREE_FUNCTION void scree_smith(Real z, Real tail, OUT(Real, lambda), OUT(Real, g1))
+{
+    Real safe = max(z, LIT(1.0e-30));
+    lambda = z > LIT(0.0) ? min(tail / safe, LIT(1.0e6)) : LIT(1.0e6);
+    g1 = z > LIT(0.0) ? safe / (safe + tail) : LIT(0.0);
+}
+
 /// Smith masking of a direction: Lambda, and G1 = 1 / (1 + Lambda), the share of the facing area
 /// that is not hidden by other facets.
 ///
@@ -380,9 +388,7 @@ SCREE_FUNCTION void scree_masking(Real wx, Real wy, Real wz, Real ms, Real mt, R
     Real a, z, b, per_b, us, ut, det, tail, shift, narrowing, widening;
     scree_view(wx, wy, wz, ms, mt, css, cst, ctt, tau, a, z, b, per_b, us, ut, det, tail, shift,
                narrowing, widening);
-    Real safe = max(z, LIT(1.0e-30));
-    lambda = z > LIT(0.0) ? min(tail / safe, LIT(1.0e6)) : LIT(1.0e6);
-    g1 = z > LIT(0.0) ? safe / (safe + tail) : LIT(0.0);
+    scree_smith(z, tail, lambda, g1);
 }
 
 /// Masking-shadowing of view and light together, heights correlated: 1 / (1 + Lambda_o + Lambda_i).
@@ -813,21 +819,35 @@ SCREE_FUNCTION void scree_beckmann_roughness(Real css, Real cst, Real ctt, Real 
     angle_rad = LIT(0.5) * scree_atan2(cst, difference);
 }
 
+/// Where a slope lies among slopes of that mean and covariance: distances from the mean along two
+/// axes, in standard deviations, so that x^2 + y^2 = (slope - m)' C^-1 (slope - m).
+///
+/// css, cst, ctt  covariance with a determinant above 0; variances of 1e-9 and more
+/// x, y           >= 0;  root_det  sqrt(det C), at least 1e-15
+SCREE_FUNCTION void scree_slope_place(Real s, Real t, Real ms, Real mt, Real css, Real cst,
+                                      Real ctt, OUT(Real, x), OUT(Real, y), OUT(Real, root_det))
+{
+    Real pivot = max(max(css, ctt), LIT(1.0e-15));
+    Real first = css >= ctt ? s - ms : t - mt;
+    Real second = css >= ctt ? t - mt : s - ms;
+    root_det = sqrt(max(scree_product_difference(css, ctt, cst, cst), LIT(1.0e-30)));
+    x = abs(first) / sqrt(pivot);
+    Real cross = scree_product_difference(second, pivot, cst, first);
+    y = abs(cross) / (sqrt(pivot) * root_det);
+}
+
 /// Density of Gaussian slopes at (s, t).
 ///
 /// css, cst, ctt  covariance with a determinant above 0
 /// returns        >= 0, finite for variances of 1e-9 and more
 SCREE_FUNCTION Real scree_slope_pdf(Real s, Real t, Real ms, Real mt, Real css, Real cst, Real ctt)
 {
-    Real det = max(scree_product_difference(css, ctt, cst, cst), LIT(1.0e-30));
-    Real pivot = max(max(css, ctt), LIT(1.0e-15));
-    Real first = css >= ctt ? s - ms : t - mt;
-    Real second = css >= ctt ? t - mt : s - ms;
+    Real x, y, root_det;
+    scree_slope_place(s, t, ms, mt, css, cst, ctt, x, y, root_det);
     // Nothing is left of the density a hundred deviations away.
-    Real x = min(abs(first) / sqrt(pivot), LIT(100.0));
-    Real cross = scree_product_difference(second, pivot, cst, first);
-    Real y = min(abs(cross) / (sqrt(pivot) * sqrt(det)), LIT(100.0));
-    return LIT(0.159154943091895336) * scree_exp_minus(LIT(0.5) * (x * x + y * y)) / sqrt(det);
+    x = min(x, LIT(100.0));
+    y = min(y, LIT(100.0));
+    return LIT(0.159154943091895336) * scree_exp_minus(LIT(0.5) * (x * x + y * y)) / root_det;
 }
 
 /// Specular reflection of a footprint under a directional light: what multiplies Fresnel times the
