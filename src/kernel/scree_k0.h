@@ -204,7 +204,8 @@ SCREE_FUNCTION Real scree_bessel_x_k1(Real x, OUT(Real, growth))
 /// d        in [0, 5000], above counts as 5000
 /// rho      in deviations, 0 to 5000 likewise; 0 is the density itself, at most 22 where d = 0
 /// returns  > 0, 0 where exp(-y) is below 2^-118 (double: 2^-1000)
-/// error    relative, 1e-6 in single precision, 6e-8 in double [tests/kernel/k0_density_test.cpp]
+/// error    relative, per 1 + d: 1e-6 in single precision, 6e-8 in double
+///          [tests/kernel/k0_density_test.cpp]
 /// source   derived in docs/k0.md
 SCREE_FUNCTION Real scree_k0_profile(Real d, Real rho)
 {
@@ -239,7 +240,8 @@ SCREE_FUNCTION Real scree_k0_profile(Real d, Real rho)
 ///                (p - slope)' C^-1 (p - slope) < rho^2, an area of pi rho^2 sqrt(det C);
 ///                0 is the density itself, which is infinite in the middle (finite here)
 /// returns        >= 0
-/// error          relative, single precision: 1e-6, and what the rounding of d becomes, 1e-7 d
+/// error          relative, single precision: 1e-6, and what the rounding of the slope and of d
+///                becomes, 3e-7 d / sqrt(1 - correlation^2) [tests/kernel/k0_density_test.cpp]
 SCREE_FUNCTION Real scree_k0_slope_pdf(Real s, Real t, Real ms, Real mt, Real css, Real cst,
                                        Real ctt, Real rho)
 {

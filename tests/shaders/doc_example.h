@@ -6,10 +6,11 @@
 
 namespace scree::test {
 
-/// The code block of docs/filtering.md in that language; empty when there is none.
-inline std::string doc_example(const std::string& language)
+/// The code block of a page of docs/ in that language; empty when there is none.
+inline std::string doc_example(const std::string& language,
+                               const std::string& page = "filtering.md")
 {
-    const std::string text = read_bytes(SCREE_SOURCE "/docs/filtering.md");
+    const std::string text = read_bytes(SCREE_SOURCE "/docs/" + page);
     const std::string fence = "```" + language + "\n";
     const size_t start = text.find(fence);
     if (start == std::string::npos)

@@ -1,6 +1,9 @@
 // scree_k0.h as GLSL and OSL read it, against C++.
 
+#include <fstream>
+
 #include "kernel/k0_cases.h"
+#include "shaders/doc_example.h"
 #include "shaders/gl_fixture.h"
 #include "shaders/osl_fixture.h"
 
@@ -34,6 +37,25 @@ TEST_P(K0Glsl, AgreesWithCppOnTheWholeTable)
     expect_k0_agreement(cases, answers, "GLSL " + glsl_version(GetParam()));
 }
 
+TEST_P(K0Glsl, TheExampleOfTheDocsCompiles)
+{
+    const TempFolder temp;
+    const std::string example = doc_example("glsl", "k0.md");
+    ASSERT_FALSE(example.empty());
+    std::ofstream(temp / "example.frag")
+        << example
+        << "out vec4 result;\n"
+           "void main()\n"
+           "{\n"
+           "    vec3 h = normalize(vec3(gl_FragCoord.xy, 9.0));\n"
+           "    result = vec4(halo(h, vec2(0.0), vec3(0.09, 0.02, 0.05), 0.5, 0.1));\n"
+           "}\n";
+    EXPECT_NE(context().program({"tests/shaders/screen.vert"},
+                                {"src/kernel/prelude_glsl.h", "src/kernel/scree_filter.h",
+                                 "src/kernel/scree_k0.h", (temp / "example.frag").string()}),
+              0U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Kernel, K0Glsl, both_dialects(), dialect_name);
 
 class K0Osl : public Osl {};
@@ -56,6 +78,20 @@ TEST_F(K0Osl, AgreesWithCppOnTheWholeTable)
             answers[k][static_cast<size_t>(i)] = image.at(0, static_cast<int>(k), i % 3);
     }
     expect_k0_agreement(cases, answers, "OSL");
+}
+
+TEST_F(K0Osl, TheExampleOfTheDocsMirrorsTheView)
+{
+    std::ofstream(temp_ / "mirrored.osl") << doc_example("c", "k0.md");
+    const RunResult compiled =
+        run(temp_.path(), {tools_.oslc.string(), "-I" SCREE_SOURCE "/src", "mirrored.osl"});
+    ASSERT_EQ(compiled.status, 0) << compiled.said;
+    const RunResult result = shade(words("-g 1 1 -o wi wi.exr mirrored"));
+    ASSERT_EQ(result.status, 0) << result.said;
+    const Image wi = output("wi");
+    const float square = wi.at(0, 0, 0) * wi.at(0, 0, 0) + wi.at(0, 0, 1) * wi.at(0, 0, 1) +
+                         wi.at(0, 0, 2) * wi.at(0, 0, 2);
+    EXPECT_NEAR(square, 1, 1e-5F);
 }
 
 } // namespace
