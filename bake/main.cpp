@@ -44,6 +44,7 @@ int run(int argc, char** argv)
     scree::tool::add_info(app);
     scree::tool::add_preview(app);
     scree::tool::add_sample(app);
+    scree::tool::add_table(app);
     scree::tool::add_validate(app);
     scree::tool::add_chart(app);
     scree::tool::stop_on_signals();

@@ -12,6 +12,7 @@
 
 #include "math/error.h"
 #include "texset/manifest.h"
+#include "texset/table_manifest.h"
 
 namespace scree {
 
@@ -36,7 +37,7 @@ std::vector<fs::path> missing_folders(fs::path folder)
     return missing;
 }
 
-/// Throws unless `folder` is absent, empty, or holds just one texture set.
+/// Throws unless `folder` is absent, empty, or holds just one texture set or table.
 void expect_replaceable(const fs::path& folder)
 {
     std::error_code failed;
@@ -47,15 +48,19 @@ void expect_replaceable(const fs::path& folder)
             fmt::format("{}: exists and is not a folder; choose another -o", folder.string()));
     if (fs::is_empty(folder))
         return;
-    const auto owned = files_of_set(folder);
+    auto owned = files_of_set(folder);
+    const char* what = owned.empty() ? "table" : "texture set";
     if (owned.empty())
-        throw Error(fmt::format("{}: not empty, and no texture set; choose a new folder for -o",
+        owned = files_of_table(folder);
+    if (owned.empty())
+        throw Error(fmt::format("{}: not empty, and no texture set or table; choose a new folder "
+                                "for -o",
                                 folder.string()));
     for (const auto& entry : fs::directory_iterator(folder))
         if (owned.count(entry.path().filename().string()) == 0)
-            throw Error(fmt::format("{}: holds '{}', which is not part of its texture set; move "
-                                    "it away or choose another -o",
-                                    folder.string(), entry.path().filename().string()));
+            throw Error(fmt::format("{}: holds '{}', which is not part of its {}; move it away or "
+                                    "choose another -o",
+                                    folder.string(), entry.path().filename().string(), what));
 }
 
 /// The hidden folder in which a process writes what will be `folder`.

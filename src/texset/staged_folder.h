@@ -14,8 +14,8 @@ namespace scree {
 class StagedFolder {
 public:
     /// Throws Error when the parent cannot be made or written to, or when `folder` exists and is
-    /// neither empty nor a texture set (a manifest and the files it names, nothing else): Scree
-    /// replaces its own sets and nothing a user put there.
+    /// neither empty nor a texture set or a table (a manifest and the files it names, nothing
+    /// else): Scree replaces its own and nothing a user put there.
     explicit StagedFolder(const std::filesystem::path& folder);
     ~StagedFolder();
     StagedFolder(const StagedFolder&) = delete;

@@ -1,0 +1,101 @@
+#include "bake/table.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "bake/checks.h"
+#include "bake/commands.h"
+#include "bake/supervisor.h"
+#include "bake/terminal.h"
+#include "pipeline/thread_limit.h"
+#include "texset/staged_folder.h"
+#include "texset/table_file.h"
+#include "version.h"
+
+namespace scree::tool {
+
+namespace {
+
+/// What says how to run and not what to make; not recorded in the manifest.
+bool is_recorded(const std::string& name)
+{
+    return name != "help" && name != "output" && name != "threads" && name != "quiet";
+}
+
+std::map<std::string, std::string> given_options(const CLI::App& command)
+{
+    std::map<std::string, std::string> given;
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() == 0 || option->get_lnames().empty() ||
+            !is_recorded(option->get_lnames().front()))
+            continue;
+        std::string value;
+        for (const auto& word : option->results())
+            value += (value.empty() ? "" : " ") + word;
+        given[option->get_lnames().front()] = value;
+    }
+    return given;
+}
+
+void print_summary(const TableManifest& manifest, const std::filesystem::path& folder)
+{
+    std::string sizes, quantities;
+    for (const TableAxis& axis : manifest.axes)
+        sizes +=
+            fmt::format("{}{} {}", sizes.empty() ? "" : " x ", axis.coordinates.size(), axis.name);
+    for (const TableChannel& channel : manifest.channels)
+        quantities += fmt::format(", {} = {}", channel.name, channel.quantity);
+    std::error_code ignored;
+    const auto bytes = std::filesystem::file_size(folder / manifest.texture_file(), ignored);
+    fmt::print("{}: {}\n  {} {}x{}{} {:.1f} kB\n", folder.string(), sizes, manifest.texture_file(),
+               manifest.width(), manifest.height(), quantities, static_cast<double>(bytes) / 1000);
+    for (const auto& [name, value] : manifest.figures)
+        fmt::print("  {} {:.3g}\n", name, value);
+}
+
+} // namespace
+
+void add_table_options(CLI::App& command, TableWords& words)
+{
+    command.add_option("-o,--output", words.folder,
+                       "folder for the table, made or replaced [named after its kind]");
+    command.add_option("--threads", words.threads, "number of threads [all]")
+        ->check(whole_number_from(0));
+    command.add_flag("--quiet", words.quiet, "no progress, no summary");
+}
+
+void make_table(const CLI::App& command, const std::string& kind, const TableWords& words,
+                const std::function<MadeTable(const std::function<void(double)>& progress)>& make)
+{
+    const std::filesystem::path output =
+        words.folder.empty() ? std::filesystem::path(kind) : words.folder;
+    note_for_supervisor({}, output);
+    MadeTable made;
+    {
+        StagedFolder folder(output); // first, so that a bad -o fails before the work
+        const ThreadLimit limit(words.threads);
+        Progress progress(words.quiet);
+        made = make([&progress](double done) {
+            if (stop_asked())
+                throw Cancelled();
+            progress.show("table", done);
+        });
+        made.manifest.program_version = kVersion;
+        made.manifest.options = given_options(command);
+        write_table(made.manifest, made.values, folder.path());
+        folder.publish();
+    }
+    if (!words.quiet)
+        print_summary(made.manifest, output);
+}
+
+void add_table(CLI::App& app)
+{
+    auto* command =
+        app.add_subcommand("table", "tables that stand for themselves, as textures for shaders");
+    command->require_subcommand(1);
+    add_linear_light_table(*command);
+    command->footer("docs/tables.md explains each table and how a shader reads it.");
+}
+
+} // namespace scree::tool

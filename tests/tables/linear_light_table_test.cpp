@@ -1,0 +1,116 @@
+#include "tables/linear_light_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// What the table is of, in the source's own words: tan^2 alpha over the light, by brute force.
+struct Curve {
+    double cos_v, cos_n, phi_n;
+
+    [[nodiscard]] double cosine_sum(double phi) const // l.n + v.n
+    {
+        const double sin_v = std::sqrt(1 - cos_v * cos_v), sin_n = std::sqrt(1 - cos_n * cos_n);
+        return sin_n * std::cos(phi - phi_n) + cos_v * cos_n + sin_v * sin_n * std::cos(phi_n);
+    }
+    [[nodiscard]] double tan2(double phi) const
+    {
+        const double sum = cosine_sum(phi);
+        return 2 * (1 + std::sqrt(1 - cos_v * cos_v) * std::cos(phi)) / (sum * sum) - 1;
+    }
+    [[nodiscard]] double lowest(int samples) const
+    {
+        double least = 1e30;
+        for (int i = 0; i < samples; ++i) {
+            const double phi = -kPi + 2 * kPi * i / samples;
+            if (cosine_sum(phi) > 1e-6)
+                least = std::min(least, tan2(phi));
+        }
+        return least;
+    }
+};
+
+/// Calls look(texel, curve) for every texel where the surface can be seen.
+template <class Look>
+int look_at_texels(const LinearLightTable& table, const Look& look)
+{
+    const auto& [views, normals, azimuths] = table.size;
+    int seen = 0;
+    for (int p = 0; p < azimuths; ++p)
+        for (int n = 0; n < normals; ++n)
+            for (int v = 0; v < views; ++v) {
+                const Curve curve{v / (views - 1.0), 2 * n / (normals - 1.0) - 1,
+                                  kPi * p / (azimuths - 1.0)};
+                const double view = curve.cosine_sum(curve.phi_n + kPi / 2); // v.n
+                if (view < 0.01)
+                    continue;
+                ++seen;
+                look(table.at(v, n, p), curve);
+            }
+    return seen;
+}
+
+// A grid of 4000 angles may miss the lowest one by half a step; where k is large that shows. With
+// the viewer in the plane the lowest may be a point that no grid finds (PhiIsWhereThatIs...).
+TEST(LinearLightTable, HoldsTheLowestPointOfTheWholeCircle)
+{
+    const auto table = linear_light_table({9, 17, 13}, [](double) {});
+    const int seen = look_at_texels(table, [](const std::array<float, 3>& got, const Curve& curve) {
+        if (curve.cos_v == 0)
+            return;
+        const double want = curve.lowest(4000);
+        const double k = static_cast<double>(got[1]);
+        const double missed = k * k * std::pow(kPi / 4000, 2) * 1.5;
+        EXPECT_LE(static_cast<double>(got[2]), want * (1 + 1e-6) + 1e-6)
+            << curve.cos_v << ' ' << curve.cos_n << ' ' << curve.phi_n;
+        EXPECT_GE(static_cast<double>(got[2]), (want - missed) * (1 - 1e-6) - 1e-6)
+            << curve.cos_v << ' ' << curve.cos_n << ' ' << curve.phi_n << " k " << k;
+    });
+    EXPECT_GT(seen, 700);
+}
+
+TEST(LinearLightTable, PhiIsWhereThatIsAndBetween0AndPi)
+{
+    const auto table = linear_light_table({9, 17, 13}, [](double) {});
+    look_at_texels(table, [](const std::array<float, 3>& got, const Curve& curve) {
+        const auto phi = static_cast<double>(got[0]);
+        const auto tan2 = static_cast<double>(got[2]);
+        EXPECT_GE(phi, 0);
+        EXPECT_LE(phi, kPi + 1e-6);
+        if (curve.cos_v > 0) { // in the plane phi = pi is the back of the viewer: 0 / 0
+            EXPECT_NEAR(curve.tan2(phi), tan2, 2e-5 * (1 + tan2) * static_cast<double>(got[1]))
+                << curve.cos_v << ' ' << curve.cos_n << ' ' << curve.phi_n;
+        }
+    });
+}
+
+TEST(LinearLightTable, TellsItsProgressAndStopsWhenThatThrows)
+{
+    double last = 0;
+    linear_light_table({2, 2, 5}, [&last](double done) {
+        EXPECT_GT(done, last);
+        last = done;
+    });
+    EXPECT_EQ(last, 1);
+    EXPECT_THROW(linear_light_table({2, 2, 5}, [](double) { throw std::runtime_error("stop"); }),
+                 std::runtime_error);
+}
+
+TEST(LinearLightTable, ManifestHasTheSizesAndRangesOfTheTable)
+{
+    const TableManifest manifest = linear_light_manifest({32, 128, 64});
+    EXPECT_EQ(manifest.width(), 32);
+    EXPECT_EQ(manifest.height(), 128 * 64);
+    EXPECT_EQ(manifest.axes[0].coordinates.back(), 1);
+    EXPECT_EQ(manifest.axes[1].coordinates.front(), -1);
+    EXPECT_NEAR(manifest.axes[2].coordinates.back(), kPi, 1e-15);
+}
+
+} // namespace
+} // namespace scree

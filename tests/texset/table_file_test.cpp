@@ -1,0 +1,116 @@
+#include "texset/table_file.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "math/error.h"
+#include "support/files.h"
+#include "texset/staged_folder.h"
+
+namespace scree {
+namespace {
+
+using test::TempFolder;
+
+TableManifest some_manifest()
+{
+    TableManifest manifest;
+    manifest.kind = "some";
+    manifest.program_version = "1.2.3";
+    manifest.description = "Numbers.";
+    manifest.axes = {{"x", "1", "across", {0, 0.5, 1}},
+                     {"y", "radians", "down", {-1, 1}},
+                     {"z", "1", "slices", {0, 1, 2, 3}}};
+    manifest.channels = {{"R", "a", "1", "first"}, {"G", "b", "radians", "second"}};
+    manifest.options = {{"resolution", "3x2x4"}};
+    manifest.figures = {{"error rms", 0.25}};
+    return manifest;
+}
+
+std::vector<float> rising(size_t count)
+{
+    std::vector<float> values(count);
+    for (size_t i = 0; i < count; ++i)
+        values[i] = static_cast<float>(i);
+    return values;
+}
+
+TEST(TableFile, HoldsTheValuesInTheLayoutTheManifestSays)
+{
+    const TempFolder temp;
+    const TableManifest manifest = some_manifest();
+    write_table(manifest, rising(3 * 8 * 2), temp.path());
+    const auto image = test::read_levels(temp / "some.exr").at(0);
+    ASSERT_EQ(image.width, 3);
+    ASSERT_EQ(image.height, 8);
+    for (int z = 0; z < 4; ++z)
+        for (int y = 0; y < 2; ++y)
+            for (int x = 0; x < 3; ++x)
+                for (int c = 0; c < 2; ++c)
+                    EXPECT_EQ(image.at(x, 2 * z + y, c),
+                              static_cast<float>(((z * 2 + y) * 3 + x) * 2 + c));
+}
+
+TEST(TableFile, ItsManifestComesBack)
+{
+    const TempFolder temp;
+    const TableManifest want = some_manifest();
+    write_table(want, rising(48), temp.path());
+    const TableManifest got = read_table_manifest(temp.path());
+    EXPECT_EQ(got.kind, want.kind);
+    EXPECT_EQ(got.program_version, want.program_version);
+    EXPECT_EQ(got.description, want.description);
+    EXPECT_EQ(got.options, want.options);
+    EXPECT_EQ(got.figures, want.figures);
+    ASSERT_EQ(got.axes.size(), want.axes.size());
+    for (size_t i = 0; i < want.axes.size(); ++i) {
+        EXPECT_EQ(got.axes[i].name, want.axes[i].name);
+        EXPECT_EQ(got.axes[i].unit, want.axes[i].unit);
+        EXPECT_EQ(got.axes[i].meaning, want.axes[i].meaning);
+        EXPECT_EQ(got.axes[i].coordinates, want.axes[i].coordinates);
+    }
+    ASSERT_EQ(got.channels.size(), want.channels.size());
+    for (size_t i = 0; i < want.channels.size(); ++i) {
+        EXPECT_EQ(got.channels[i].name, want.channels[i].name);
+        EXPECT_EQ(got.channels[i].quantity, want.channels[i].quantity);
+        EXPECT_EQ(got.channels[i].unit, want.channels[i].unit);
+        EXPECT_EQ(got.channels[i].meaning, want.channels[i].meaning);
+    }
+}
+
+TEST(TableFile, ADamagedManifestIsNamedAndItsFolderNotReplaced)
+{
+    const TempFolder temp;
+    write_table(some_manifest(), rising(48), temp.path());
+    EXPECT_EQ(files_of_table(temp.path()),
+              (std::set<std::string>{"some.exr", "some.scree-table.json"}));
+    std::ofstream(temp / "some.scree-table.json") << R"({"format": "scree table", "version": 2})";
+    try {
+        read_table_manifest(temp.path());
+        FAIL() << "read a table of a later format";
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find("some.scree-table.json: is of format version 2"),
+                  std::string::npos)
+            << e.what();
+    }
+    EXPECT_TRUE(files_of_table(temp.path()).empty());
+    EXPECT_THROW(StagedFolder{temp.path()}, Error);
+}
+
+TEST(TableFile, ATableIsReplacedByAnotherButNotWithWhatElseLiesThere)
+{
+    const TempFolder temp;
+    const auto folder = temp / "table";
+    for (int round = 0; round < 2; ++round) {
+        StagedFolder staged(folder);
+        write_table(some_manifest(), rising(48), staged.path());
+        staged.publish();
+    }
+    EXPECT_EQ(files_of_table(folder).size(), 2U);
+    std::ofstream(folder / "mine.txt") << "mine";
+    EXPECT_THROW(StagedFolder{folder}, Error);
+}
+
+} // namespace
+} // namespace scree
