@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fits the constants of src/kernel/scree_filter.h and prints them, lowest power first.
+"""Fits the constants of src/kernel/scree_*.h and prints them, lowest power first.
 
 Usage: docs/fit_kernel.py    (Debian: python3-mpmath python3-numpy python3-scipy)
 
@@ -10,7 +10,7 @@ the results against integrals; this only says where the digits come from.
 import mpmath as mp
 import numpy as np
 from numpy.polynomial.legendre import leggauss
-from scipy.special import log_ndtr
+from scipy.special import erfcx, log_ndtr
 
 mp.mp.dps = 60
 
@@ -133,6 +133,18 @@ def fit_polynomial(name, f, x, degree):
     show(name, worst, c=c)
 
 
+def fit_erfc(per_x=0.5, degree=7):
+    """exp(x^2) erfc(x) as t P(t), t = 1 / (1 + per_x x), x in [0, 60]; 1 at x = 0."""
+    t = chebyshev(600)
+    t = t * (1 - 1 / (1 + 60 * per_x)) + 1 / (1 + 60 * per_x)
+    value = erfcx((1 / t - 1) / per_x)
+    columns = np.stack([t**i - t**degree for i in range(1, degree)], axis=1)
+    right = value - t**degree
+    worst, c = lawson(columns, right, lambda _: value, lambda c: columns @ c + t**degree,
+                      lambda got: np.abs(got / value - 1), 80)
+    show(f"exp(x^2) erfc(x) / t, t = 1 / (1 + {per_x} x)", worst, c=np.append(c, 1 - c.sum()))
+
+
 fit_fraction_rest()
 fit_visible_height()
 half = float(mp.log(2)) / 2 * 1.001
@@ -197,3 +209,6 @@ fit_far("sqrt(x) exp(x) K1(x) in 2 / x",
 for order in (0, 1):
     fit_far(f"sqrt(x) exp(-x) I{order}(x) in 4 / x",
             lambda x: mp.sqrt(x) * mp.exp(-x) * mp.besseli(order, x), 4, 4)
+
+
+fit_erfc()

@@ -13,6 +13,7 @@
 namespace scree::kernel {
 
 using std::abs;
+using std::floor;
 using std::max;
 using std::min;
 using std::pow;

@@ -1,0 +1,369 @@
+#include "kernel/linear_light.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+
+#include "kernel/linear_light_oracle.h"
+
+namespace scree::test {
+namespace {
+
+using filter::LinearLight;
+using filter::LinearPeak;
+using filter::LinearView;
+using Imath::V3d;
+using Imath::V3f;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kLowestView = 0.3; ///< cosine; nearer to grazing every step costs more
+
+template <typename Real>
+LinearView<Real> view_of(const LinearScene& scene)
+{
+    using V3 = Imath::Vec3<Real>;
+    return filter::linear_view(
+        LinearLight<Real>{V3(scene.from), V3(scene.to), V3(scene.light_normal)}, V3(scene.normal),
+        V3(scene.viewer));
+}
+
+template <typename Real>
+LinearPeak<Real> peak_of(const LinearView<Real>& view)
+{
+    return filter::linear_peak(view.viewer, view.normal, sizeof(Real) == 4 ? 4 : 8);
+}
+
+/// Difference of two angles, whole turns aside.
+double turn_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * kPi)); }
+
+/// Root mean square of differences over that of the values they are of.
+class RelativeRms {
+public:
+    void add(double got, double want)
+    {
+        error_ += (got - want) * (got - want);
+        value_ += want * want;
+    }
+    [[nodiscard]] double value() const { return std::sqrt(error_ / value_); }
+
+private:
+    double error_ = 0, value_ = 0;
+};
+
+/// Calls look(scene, angles) for random scenes in which something of the light is seen.
+template <class Look>
+void look_at_scenes(int count, double sigma2, const Look& look)
+{
+    std::mt19937 random(20);
+    for (int i = 0; i < count; ++i) {
+        const LinearScene scene = random_scene(random, sigma2, kLowestView);
+        const LinearAngles angles = angles_of(scene);
+        if (angles.last > angles.first)
+            look(scene, angles);
+    }
+}
+
+TEST(LinearLight, SineAndCosine)
+{
+    for (int i = -4000; i <= 4000; ++i) {
+        const float x = 0.005F * static_cast<float>(i);
+        float sine = 0, cosine = 0;
+        kernel::scree_sin_cos(x, sine, cosine);
+        EXPECT_NEAR(sine, std::sin(static_cast<double>(x)), 3e-7) << x; // 5 roundings of 1 at worst
+        EXPECT_NEAR(cosine, std::cos(static_cast<double>(x)), 3e-7) << x;
+    }
+}
+
+TEST(LinearLight, ErrorFunction)
+{
+    for (int i = 0; i <= 2600; ++i) {
+        const double x = 0.01 * i;
+        EXPECT_NEAR(kernel::scree_erfc(x) / std::erfc(x), 1, 6e-6) << x;
+    }
+    EXPECT_EQ(kernel::scree_erfc(0.0), 1);
+    EXPECT_EQ(kernel::scree_erfc(1e6F), 0);
+}
+
+// Oracle: the integral by quadrature. The error is that of erfc over the step, and what the series
+// of short steps leaves out.
+TEST(LinearLight, GaussianStepIsTheIntegralAlsoOfTailsAndShortSteps)
+{
+    for (double a = -5; a <= 5; a += 0.37)
+        for (const double step : {1e-6, 1e-3, 0.03, 0.0999, 0.1001, 0.4, 2.0, 9.0}) {
+            const double b = std::min(a + step, 5.0);
+            if (b <= a)
+                continue;
+            const double want = boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
+                [](double x) { return std::exp(-x * x); }, a, b, 10, 1e-13);
+            EXPECT_NEAR(kernel::scree_gaussian_step(a, b) / want, 1,
+                        std::max(std::abs(a), std::abs(b)) < 3 ? 5e-5 : 5e-4)
+                << a << ' ' << b;
+        }
+}
+
+TEST(LinearLight, PeakIsTheSmallestAngleOfTheWholeCircle)
+{
+    look_at_scenes(1500, 0.02, [](const LinearScene& scene, const LinearAngles& angles) {
+        const ScannedPeak want = scanned_peak(scene, angles);
+        const LinearPeak<double> got = peak_of(view_of<double>(scene));
+        // The scan stops at 1e-9 of an angle, golden section at the root of rounding.
+        EXPECT_NEAR(got.tan2, want.tan2, 1e-9 * (1 + want.tan2));
+        if (want.tan2 < 2) {
+            EXPECT_LT(turn_between(got.phi, want.phi), 2e-6 / want.k) << want.tan2;
+            EXPECT_NEAR(got.k / want.k, 1, 2e-4); // by differences over 2e-5
+        }
+    });
+}
+
+TEST(LinearLight, FourStepsOfNewtonAreEnoughInFloat)
+{
+    look_at_scenes(3000, 0.02, [](const LinearScene& scene, const LinearAngles&) {
+        const LinearPeak<double> want = peak_of(view_of<double>(scene));
+        const LinearPeak<float> got = peak_of(view_of<float>(scene));
+        EXPECT_NEAR(got.tan2, want.tan2, 5e-5 * (1 + want.tan2) * (1 + want.tan2));
+    });
+}
+
+// Of normals on both sides of the plane nb = 0 the peak jumps between the foci, and is the same
+// beyond them; everywhere else it moves by as little as the normal.
+TEST(LinearLight, PhiJumpsOnlyInThePlaneBetweenTheFoci)
+{
+    const double cos_v = 0.5, sin_v = std::sqrt(0.75);
+    const V3d viewer(sin_v, 0, cos_v), a = (viewer + V3d(0, 0, 1)).normalized();
+    const V3d b = (viewer - V3d(0, 0, 1)).normalized(), e(0, 1, 0);
+    for (double along = 0.01; along < 1.5; along += 0.02) {
+        const V3d in_plane = a * std::cos(along) + e * std::sin(along);
+        const auto left = filter::linear_peak(viewer, (in_plane + b * 1e-5).normalized(), 60);
+        const auto right = filter::linear_peak(viewer, (in_plane - b * 1e-5).normalized(), 60);
+        const double focus = std::atan((1 - cos_v) / (2 * std::sqrt(cos_v)));
+        EXPECT_NEAR(left.tan2, right.tan2, 2e-4 * (1 + left.tan2));
+        const double jump = turn_between(left.phi, right.phi);
+        if (along < focus - 0.05) {
+            EXPECT_GT(jump, 0.3) << along << ' ' << focus;
+        } else if (along > focus + 0.05) {
+            EXPECT_LT(jump, 2e-3) << along << ' ' << focus;
+        }
+    }
+}
+
+// The set-up in which the source's approximation has the error it was measured to have, 0.9 %, 3.3
+// % and 12 %: random_scene() with the viewer within acos(0.3) of the normal; rms over rms. One in
+// ten for the choice of 3000 configurations.
+TEST(LinearLight, TheGaussianStepCostsWhatWasMeasured)
+{
+    const std::pair<double, double> expected[] = {{0.002, 0.0095}, {0.02, 0.0326}, {0.3, 0.124}};
+    for (const auto& [sigma2, want] : expected) {
+        RelativeRms error;
+        look_at_scenes(3000, sigma2, [&](const LinearScene& scene, const LinearAngles& angles) {
+            const LinearView<double> view = view_of<double>(scene);
+            const LinearPeak<double> peak = peak_of(view);
+            double centre = 0;
+            error.add(kernel::scree_linear_integral(view.first, view.last, peak.phi, peak.k,
+                                                    peak.tan2, scene.sigma2, centre),
+                      lobe_integral(scene, angles));
+        });
+        EXPECT_NEAR(error.value(), want, 0.1 * want) << sigma2;
+    }
+}
+
+TEST(LinearLight, KernelGaussianIsTheSourcesWithAnExactErrorFunction)
+{
+    RelativeRms error;
+    look_at_scenes(1000, 0.02, [&](const LinearScene& scene, const LinearAngles& angles) {
+        const LinearView<double> view = view_of<double>(scene);
+        const LinearPeak<double> peak = peak_of(view);
+        double centre = 0;
+        error.add(kernel::scree_linear_integral(view.first, view.last, peak.phi, peak.k, peak.tan2,
+                                                scene.sigma2, centre),
+                  gaussian_integral(angles, scanned_peak(scene, angles), scene.sigma2));
+        EXPECT_GE(centre, view.first);
+        EXPECT_LE(centre, view.last + 1e-12);
+    });
+    EXPECT_LT(error.value(), 1e-5); // erfc
+}
+
+struct Bound {
+    double sigma2, gaussian, eight_points, twelve_points;
+};
+
+TEST(LinearLight, ReflectionIsTheFullIntegralToItsError)
+{
+    for (const Bound& bound : {Bound{0.002, 0.0055, 0.005, 5e-4}, Bound{0.02, 0.04, 0.006, 5e-4},
+                               Bound{0.3, 0.28, 0.002, 0.002}}) {
+        RelativeRms gaussian, single, eight, twelve;
+        look_at_scenes(1500, bound.sigma2, [&](const LinearScene& scene, const LinearAngles&) {
+            const double want = reflected_exactly(scene);
+            const auto view = view_of<double>(scene);
+            const auto peak = peak_of(view);
+            const auto view_single = view_of<float>(scene);
+            const auto sigma2 = static_cast<float>(scene.sigma2);
+            const double got = filter::linear_reflection(view, peak, scene.sigma2);
+            gaussian.add(got, want);
+            single.add(static_cast<double>(
+                           filter::linear_reflection(view_single, peak_of(view_single), sigma2)),
+                       got);
+            eight.add(filter::linear_quadrature(view, peak, scene.sigma2, 2), want);
+            twelve.add(filter::linear_quadrature(view, peak, scene.sigma2, 3), want);
+        });
+        EXPECT_LT(gaussian.value(), bound.gaussian) << bound.sigma2;
+        EXPECT_LT(single.value(), 1e-3) << bound.sigma2; // tan2 / sigma2 rounded, four steps
+        EXPECT_LT(eight.value(), bound.eight_points) << bound.sigma2;
+        EXPECT_LT(twelve.value(), bound.twelve_points) << bound.sigma2;
+    }
+}
+
+// The bend makes the Gaussian three times as good where surfaces are smooth; without it a mistake
+// in its sign would hide in the bounds above.
+TEST(LinearLight, TheBendOfTheCurveBelongsIntoK)
+{
+    RelativeRms straight, curved;
+    look_at_scenes(1500, 0.002, [&](const LinearScene& scene, const LinearAngles& angles) {
+        const auto view = view_of<double>(scene);
+        const auto peak = peak_of(view);
+        const double ln = view.normal.x * std::cos(peak.phi) + view.normal.y * std::sin(peak.phi);
+        const double k =
+            kernel::scree_linear_curved_k(peak.k, peak.tan2, view.viewer.dot(view.normal), ln);
+        const double want = lobe_integral(scene, angles);
+        double centre = 0;
+        straight.add(kernel::scree_linear_integral(view.first, view.last, peak.phi, peak.k,
+                                                   peak.tan2, scene.sigma2, centre),
+                     want);
+        curved.add(kernel::scree_linear_integral(view.first, view.last, peak.phi, k, peak.tan2,
+                                                 scene.sigma2, centre),
+                   want);
+    });
+    EXPECT_LT(3 * curved.value(), straight.value());
+}
+
+/// As the source prints it: both bounds wrapped, the absolute value of the difference.
+double published_integral(double first, double last, double phi, double k, double tan2,
+                          double sigma2)
+{
+    auto norm = [](double a) { return a - 2 * kPi * std::floor(a / (2 * kPi) + 0.5); };
+    const double scale = k / std::sqrt(sigma2);
+    return std::exp(-tan2 / sigma2) * std::sqrt(kPi) / (2 * scale) *
+           std::abs(std::erf(scale * norm(last - phi)) - std::erf(scale * norm(first - phi)));
+}
+
+TEST(LinearLight, AnIntervalAcrossTheBackOfThePeakIsNotTheWholePeak)
+{
+    constexpr double kSigma2 = 0.3, kK = 0.6, kPhi = 0.4;
+    for (double first = -3; first < 3; first += 0.25)
+        for (const double width : {0.1, 0.8, 2.5}) {
+            // Each point by the nearest of the peaks.
+            const double want = boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
+                [&](double x) {
+                    const double d = std::remainder(x - kPhi, 2 * kPi);
+                    return std::exp(-kK * kK * d * d / kSigma2);
+                },
+                first, first + width, 12, 1e-12);
+            double centre = 0;
+            const double got =
+                kernel::scree_linear_integral(first, first + width, kPhi, kK, 0.0, kSigma2, centre);
+            EXPECT_NEAR(got, want, 1e-4 * want + 1e-9) << first << ' ' << width;
+        }
+    double centre = 0;
+    const double behind = kPhi + kPi - 0.1;
+    EXPECT_LT(kernel::scree_linear_integral(behind, behind + 0.2, kPhi, kK, 0.0, 0.02, centre),
+              1e-12);
+    EXPECT_GT(published_integral(behind, behind + 0.2, kPhi, kK, 0, 0.02), 0.4);
+}
+
+TEST(LinearLight, FrameAndAnglesAreThoseOfPlainVectorAlgebra)
+{
+    look_at_scenes(1000, 0.02, [](const LinearScene& scene, const LinearAngles& angles) {
+        const auto got = view_of<float>(scene);
+        EXPECT_NEAR(got.distance, angles.distance, 1e-6);
+        EXPECT_LT(turn_between(got.first, angles.first),
+                  1e-4); // a nearly upright view turns freely
+        EXPECT_NEAR(got.last - got.first, angles.last - angles.first, 2e-6);
+        EXPECT_NEAR(got.viewer.z, scene.viewer.dot(angles.w), 1e-6);
+        EXPECT_NEAR(got.normal.z, scene.normal.dot(angles.w), 1e-6);
+    });
+}
+
+/// A light along x, 4 long, 1 above the origin and `aside` beside it, shining down.
+LinearScene plain_scene(const V3d& viewer, double aside = 0)
+{
+    LinearScene scene;
+    scene.from = V3d(-2, aside, 1);
+    scene.to = V3d(2, aside, 1);
+    scene.light_normal = V3d(0, 0, -1);
+    scene.normal = V3d(0, 0, 1);
+    scene.viewer = viewer.normalized();
+    scene.sigma2 = 0.02;
+    return scene;
+}
+
+// Viewer along the light, in the plane of light and point, along that plane's normal, above.
+TEST(LinearLight, TheFrameHoldsWhereTheViewerHasNoSideOrNoProjection)
+{
+    const std::pair<V3d, double> cases[] = {
+        {V3d(1, 0, 0.5), 0.0},     {V3d(0, 0, 1), 0.0},     {V3d(0.3, 0, 1), 0.0},
+        {V3d(1, 0, 0.01), 0.0},    {V3d(0, 1, -1), -1.0},   {V3d(0, -1, 1), 1.0},
+        {V3d(0, -1, 1.0001), 1.0}, {V3d(1e-6, -1, 1), 1.0}, {V3d(0, 1e-7, 1), 0.0},
+    };
+    for (const auto& [viewer, aside] : cases) {
+        const LinearScene scene = plain_scene(viewer, aside);
+        const auto view = view_of<float>(scene);
+        EXPECT_NEAR(view.viewer.length(), 1, 1e-5);
+        EXPECT_NEAR(view.normal.length(), 1, 1e-5);
+        const double want = reflected_exactly(scene);
+        const double got = static_cast<double>(
+            filter::linear_quadrature(view, peak_of(view), static_cast<float>(scene.sigma2), 4));
+        EXPECT_NEAR(got, want, 2e-3 * want + 1e-6) << viewer << ' ' << aside;
+    }
+}
+
+TEST(LinearLight, NothingIsSeenOfALightBelowBehindOrOnALineWithThePoint)
+{
+    LinearScene scene = plain_scene(V3d(0.2, 0.3, 1));
+    auto reflected = [](const LinearScene& of) {
+        const auto view = view_of<float>(of);
+        const auto sigma2 = static_cast<float>(of.sigma2);
+        EXPECT_EQ(filter::linear_reflection(view, peak_of(view), sigma2),
+                  filter::linear_quadrature(view, peak_of(view), sigma2, 2));
+        return filter::linear_reflection(view, peak_of(view), sigma2);
+    };
+    LinearScene below = scene;
+    below.from.z = below.to.z = -1;
+    EXPECT_EQ(reflected(below), 0);
+    LinearScene behind = scene;
+    behind.light_normal = -behind.light_normal;
+    EXPECT_EQ(reflected(behind), 0);
+    LinearScene end_on = scene;
+    end_on.from = V3d(0, 0, 1);
+    end_on.to = V3d(0, 0, 3);
+    EXPECT_EQ(reflected(end_on), 0);
+    LinearScene no_length = scene;
+    no_length.to = no_length.from;
+    EXPECT_EQ(reflected(no_length), 0);
+    LinearScene away = scene;
+    away.viewer = V3d(0, 0.6, -0.8);
+    EXPECT_EQ(reflected(away), 0);
+}
+
+TEST(LinearLight, WhatIsBelowTheHorizonIsCutOff)
+{
+    LinearScene scene = plain_scene(V3d(0.2, 0.3, 1));
+    scene.from = V3d(-2, 0.5, -1);
+    scene.to = V3d(2, 0.5, 1);
+    LinearScene cut = scene;
+    cut.from = V3d(0, 0.5, 0);
+    const auto whole = view_of<double>(scene), upper = view_of<double>(cut);
+    EXPECT_NEAR(whole.last - whole.first, upper.last - upper.first, 1e-12);
+    EXPECT_LT(turn_between(whole.first, upper.first), 1e-12);
+    EXPECT_NEAR(whole.distance, upper.distance, 1e-12);
+}
+
+TEST(LinearLight, RoughnessIsTwiceTheMeanVarianceAndTheFacetsOwn)
+{
+    EXPECT_NEAR(filter::ward_sigma2(filter::Covariance<double>{0.03, 0.02, 0.05}, 0.1), 0.09,
+                1e-15);
+    EXPECT_GT(filter::ward_sigma2(filter::Covariance<float>{-1e-9F, 0, 0}, 0.0F), 0);
+}
+
+} // namespace
+} // namespace scree::test
