@@ -103,7 +103,7 @@ Real linear_quadrature(const LinearView<Real>& view, const LinearPeak<Real>& pea
     return kernel::scree_linear_quadrature(
         view.viewer.x, view.viewer.z, view.normal.x, view.normal.y, view.normal.z,
         view.light_normal.x, view.light_normal.y, view.first, view.last, view.distance, peak.phi,
-        peak.k, peak.tan2, sigma2, panels);
+        peak.k, peak.tan2, sigma2, static_cast<Real>(panels));
 }
 
 } // namespace scree::filter

@@ -57,7 +57,7 @@ SCREE_FUNCTION void scree_linear_half(Real stretch, Real cos_v, Real ne, Real ch
 ///
 /// 1 where n lies on the cone. Newton's steps start from na / radius, which is within O((t - 1)^2).
 ///
-/// steps    4 leave 4e-5 of tan^2 alpha, 5 nothing in single precision, 8 in double
+/// steps    4 leave 5e-5 + 1e-3 tan^2 alpha of that at worst; 8 are exact in double
 /// returns  > 0; where all half vectors face away from the normal, any such number
 /// source   derived in docs/linear-lights.md
 SCREE_FUNCTION Real scree_linear_stretch(Real cos_v, Real ne, Real na, Real nb, Real radius,
@@ -173,9 +173,9 @@ SCREE_FUNCTION void scree_sin_cos(Real x, OUT(Real, sine), OUT(Real, cosine))
     c = c * rr + LIT(0.0416666666666667);
     c = LIT(1.0) + rr * (c * rr - LIT(0.5));
     Real quadrant = turns - LIT(4.0) * floor(turns * LIT(0.25));
-    bool odd = quadrant == LIT(1.0) || quadrant == LIT(3.0);
-    sine = odd ? c : s;
-    cosine = odd ? s : c;
+    Real odd = abs(quadrant - LIT(2.0)); // 1 for quadrants 1 and 3
+    sine = odd == LIT(1.0) ? c : s;
+    cosine = odd == LIT(1.0) ? s : c;
     sine = quadrant >= LIT(2.0) ? -sine : sine;
     cosine = quadrant == LIT(1.0) || quadrant == LIT(2.0) ? -cosine : cosine;
 }
@@ -212,8 +212,7 @@ SCREE_FUNCTION Real scree_gaussian_step(Real a, Real b)
         Real qb = scree_erfc(abs(b));
         Real same_side = abs(qa - qb);
         Real both_sides = LIT(2.0) - (qa + qb);
-        bool across = a < LIT(0.0) && b > LIT(0.0);
-        whole = LIT(0.886226925452758014) * (across ? both_sides : same_side);
+        whole = LIT(0.886226925452758014) * (a < LIT(0.0) && b > LIT(0.0) ? both_sides : same_side);
     }
     return whole;
 }
@@ -295,11 +294,12 @@ SCREE_FUNCTION Real scree_ward_sigma2(Real css, Real ctt, Real base_alpha)
 /// begin, end   shares of the way, 0 <= begin <= end <= 1; 0 and 0 where nothing is above
 SCREE_FUNCTION void scree_clip_segment(Real from, Real to, OUT(Real, begin), OUT(Real, end))
 {
-    bool neither = from <= LIT(0.0) && to <= LIT(0.0);
-    bool cut = (from < LIT(0.0)) != (to < LIT(0.0));
-    Real share = cut ? from / (from - to) : LIT(0.0);
-    begin = neither || from >= LIT(0.0) ? LIT(0.0) : share;
-    end = neither ? LIT(0.0) : (to >= LIT(0.0) ? LIT(1.0) : share);
+    begin = LIT(0.0);
+    end = LIT(0.0);
+    if (from > LIT(0.0) || to > LIT(0.0)) {
+        begin = from < LIT(0.0) ? from / (from - to) : LIT(0.0);
+        end = to < LIT(0.0) ? from / (from - to) : LIT(1.0);
+    }
 }
 
 /// Frame and angles of a linear light, as all of the above takes them.
@@ -343,10 +343,11 @@ SCREE_FUNCTION void scree_linear_frame(Real fx, Real fy, Real fz, Real tx, Real 
     ux = vx - vw * wx;
     uy = vy - vw * wy;
     uz = vz - vw * wz;
-    bool upright = ux * ux + uy * uy + uz * uz < LIT(1.0e-10);
-    ux = upright ? fx + LIT(0.5) * dx : ux;
-    uy = upright ? fy + LIT(0.5) * dy : uy;
-    uz = upright ? fz + LIT(0.5) * dz : uz;
+    if (ux * ux + uy * uy + uz * uz < LIT(1.0e-10)) {
+        ux = fx + LIT(0.5) * dx;
+        uy = fy + LIT(0.5) * dy;
+        uz = fz + LIT(0.5) * dz;
+    }
     Real uw = ux * wx + uy * wy + uz * wz;
     ux -= uw * wx;
     uy -= uw * wy;
@@ -369,10 +370,13 @@ SCREE_FUNCTION void scree_linear_frame(Real fx, Real fy, Real fz, Real tx, Real 
     Real ce = fe + end * de;
     // Between the two ends by their cross product: a difference of two angles loses short lights.
     Real width = scree_atan2((end - begin) * distance * length, bu * cu + be * ce);
-    bool none = end <= begin || across <= LIT(1.0e-6) * length * length * LIT(1.0e-6);
-    // Seen from the side of w it runs from one end or from the other.
-    first = none ? LIT(0.0) : (side > LIT(0.0) ? scree_atan2(be, bu) : scree_atan2(ce, cu));
-    last = none ? LIT(0.0) : first + width;
+    first = LIT(0.0);
+    last = LIT(0.0);
+    if (end > begin && across > LIT(1.0e-12) * length * length) {
+        // Seen from the side of w it runs from one end or from the other.
+        first = side > LIT(0.0) ? scree_atan2(be, bu) : scree_atan2(ce, cu);
+        last = first + width;
+    }
 }
 
 /// What stands before the exponential and goes with the angle: sqrt(l.n / v.n) (-l.n_s).
@@ -447,11 +451,12 @@ SCREE_FUNCTION Real scree_linear_integrand(Real phi, Real sin_v, Real cos_v, Rea
 /// 4 sigma^2 of the peak, or of the light's end nearest to it: the second term reaches the whole
 /// light where the lobe is no Gaussian any more.
 ///
-/// panels   1 or more; 4 points a panel. 2 leave 0.5 % of the rms at any sigma2 up to 0.3, 3 leave
+/// panels   a whole number, 1 or more; 4 points a panel. 2 leave 0.5 % of the rms at any sigma2 up
+/// to 0.3, 3 leave
 ///          0.2 % [tests/kernel/linear_light_test.cpp]
 SCREE_FUNCTION Real scree_linear_quadrature(Real sin_v, Real cos_v, Real nu, Real ne, Real nw,
                                             Real su, Real se, Real first, Real last, Real distance,
-                                            Real phi, Real k, Real tan2, Real sigma2, int panels)
+                                            Real phi, Real k, Real tan2, Real sigma2, Real panels)
 {
     Real sum = LIT(0.0);
     Real vn = sin_v * nu + cos_v * nw;
@@ -465,17 +470,19 @@ SCREE_FUNCTION Real scree_linear_quadrature(Real sin_v, Real cos_v, Real nu, Rea
         Real reach = LIT(3.0) * sqrt(sigma2) / curved + LIT(4.0) * sigma2;
         Real low = max(first, at - reach);
         Real high = min(last, at + reach);
-        Real half_panel = LIT(0.5) * (high - low) / LIT(panels);
-        for (int i = 0; i < panels; ++i) {
-            Real m = low + half_panel * LIT(2 * i + 1);
-            Real inner = LIT(0.339981043584856265) * half_panel;
-            Real outer = LIT(0.861136311594052575) * half_panel;
+        Real half_panel = LIT(0.5) * (high - low) / panels;
+        Real inner = LIT(0.339981043584856265) * half_panel;
+        Real outer = LIT(0.861136311594052575) * half_panel;
+        Real panel = LIT(0.0);
+        while (panel < panels) {
+            Real m = low + half_panel * (LIT(2.0) * panel + LIT(1.0));
             sum += LIT(0.652145154862546143) *
                    (scree_linear_integrand(m - inner, sin_v, cos_v, nu, ne, nw, su, se, sigma2) +
                     scree_linear_integrand(m + inner, sin_v, cos_v, nu, ne, nw, su, se, sigma2));
             sum += LIT(0.347854845137453857) *
                    (scree_linear_integrand(m - outer, sin_v, cos_v, nu, ne, nw, su, se, sigma2) +
                     scree_linear_integrand(m + outer, sin_v, cos_v, nu, ne, nw, su, se, sigma2));
+            panel += LIT(1.0);
         }
         sum *= half_panel / (LIT(12.5663706143591730) * sigma2 * max(distance, LIT(1.0e-18)));
     }

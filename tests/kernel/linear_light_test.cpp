@@ -122,7 +122,7 @@ TEST(LinearLight, FourStepsOfNewtonAreEnoughInFloat)
     look_at_scenes(3000, 0.02, [](const LinearScene& scene, const LinearAngles&) {
         const LinearPeak<double> want = peak_of(view_of<double>(scene));
         const LinearPeak<float> got = peak_of(view_of<float>(scene));
-        EXPECT_NEAR(got.tan2, want.tan2, 5e-5 * (1 + want.tan2) * (1 + want.tan2));
+        EXPECT_NEAR(got.tan2, want.tan2, 5e-5 + 1e-3 * want.tan2);
     });
 }
 
@@ -178,7 +178,7 @@ TEST(LinearLight, KernelGaussianIsTheSourcesWithAnExactErrorFunction)
         error.add(kernel::scree_linear_integral(view.first, view.last, peak.phi, peak.k, peak.tan2,
                                                 scene.sigma2, centre),
                   gaussian_integral(angles, scanned_peak(scene, angles), scene.sigma2));
-        EXPECT_GE(centre, view.first);
+        EXPECT_GE(centre, view.first - 1e-12);
         EXPECT_LE(centre, view.last + 1e-12);
     });
     EXPECT_LT(error.value(), 1e-5); // erfc
@@ -310,7 +310,9 @@ TEST(LinearLight, TheFrameHoldsWhereTheViewerHasNoSideOrNoProjection)
         const auto view = view_of<float>(scene);
         EXPECT_NEAR(view.viewer.length(), 1, 1e-5);
         EXPECT_NEAR(view.normal.length(), 1, 1e-5);
-        const double want = reflected_exactly(scene);
+        LinearScene nudged = scene; // the oracle's frame has no answer to a viewer along w
+        nudged.viewer = (scene.viewer + V3d(1e-6, 1e-6, 0)).normalized();
+        const double want = reflected_exactly(nudged);
         const double got = static_cast<double>(
             filter::linear_quadrature(view, peak_of(view), static_cast<float>(scene.sigma2), 4));
         EXPECT_NEAR(got, want, 2e-3 * want + 1e-6) << viewer << ' ' << aside;
