@@ -13,9 +13,12 @@ namespace scree::tool {
 
 namespace {
 
+constexpr const char* kAnglesResolution = "32x128x64";
+constexpr const char* kConeResolution = "32x64x32";
+
 struct LinearLightWords {
     TableWords table;
-    std::string resolution = "32x128x64";
+    std::string coordinates = "angles", resolution;
 };
 
 /// "VxNxP", each 2 to 4096. Throws UsageError.
@@ -42,11 +45,16 @@ LinearLightResolution resolution_named(const std::string& word)
 
 void run(const CLI::App& command, const LinearLightWords& words)
 {
-    const LinearLightResolution size = resolution_named(words.resolution);
+    const auto coordinates =
+        words.coordinates == "cone" ? LinearLightCoordinates::cone : LinearLightCoordinates::angles;
+    const bool cone = coordinates == LinearLightCoordinates::cone;
+    const LinearLightResolution size = resolution_named(!words.resolution.empty() ? words.resolution
+                                                        : cone                    ? kConeResolution
+                                                               : kAnglesResolution);
     make_table(command, "linear-light", words.table,
-               [&size](const std::function<void(double)>& progress) {
-                   return MadeTable{linear_light_manifest(size),
-                                    linear_light_table(size, progress).values};
+               [coordinates, &size](const std::function<void(double)>& progress) {
+                   return MadeTable{linear_light_manifest(coordinates, size),
+                                    linear_light_table(coordinates, size, progress).values};
                });
 }
 
@@ -58,9 +66,16 @@ void add_linear_light_table(CLI::App& table)
     auto* command = table.add_subcommand(
         "linear-light", "where the reflection of a linear light is brightest: Phi, k, tan^2 alpha");
     command
+        ->add_option("--coordinates", words->coordinates,
+                     "angles: Phi, k, tan^2 alpha over cos theta_v, cos theta_n, phi_n; cone: one "
+                     "number, from which they follow, over coordinates that no jump of Phi crosses")
+        ->check(CLI::IsMember({"angles", "cone"}))
+        ->capture_default_str();
+    command
         ->add_option("--resolution", words->resolution,
-                     "texels along cos theta_v, cos theta_n and phi_n")
-        ->option_text("VxNxP [32x128x64]");
+                     fmt::format("texels along the three axes [{}; of cone {}]", kAnglesResolution,
+                                 kConeResolution))
+        ->option_text("VxNxP");
     add_table_options(*command, words->table);
     command->callback([command, words] { run(*command, *words); });
 }

@@ -57,17 +57,15 @@ SCREE_FUNCTION void scree_linear_half(Real stretch, Real cos_v, Real ne, Real ch
 ///
 /// 1 where n lies on the cone. Newton's steps start from na / radius, which is within O((t - 1)^2).
 ///
+/// bb, ee   nb^2 and q ne^2
 /// steps    4 leave 5e-5 + 1e-3 tan^2 alpha of that at worst; 8 are exact in double
 /// returns  > 0; where all half vectors face away from the normal, any such number
 /// source   derived in docs/linear-lights.md
-SCREE_FUNCTION Real scree_linear_stretch(Real cos_v, Real ne, Real na, Real nb, Real radius,
-                                         int steps)
+SCREE_FUNCTION Real scree_linear_stretch(Real cos_v, Real na, Real bb, Real ee, int steps)
 {
-    Real bb = nb * nb;
-    Real ee = cos_v * ne * ne;
     Real sum = LIT(1.0) + cos_v;
     Real difference = LIT(1.0) - cos_v;
-    Real t = max(na / radius, LIT(-0.98));
+    Real t = max(na / sqrt(bb + ee), LIT(-0.98));
     for (int i = 0; i < steps; ++i) {
         Real c = LIT(2.0) / (sum + difference * t);
         Real cc = c * c;
@@ -117,7 +115,7 @@ SCREE_FUNCTION void scree_linear_peak(Real sin_v, Real cos_v, Real nu, Real ne, 
 {
     Real ch, sh, na, nb, radius;
     scree_linear_cone(sin_v, cos_v, nu, ne, nw, ch, sh, na, nb, radius);
-    Real stretch = scree_linear_stretch(cos_v, ne, na, nb, radius, steps);
+    Real stretch = scree_linear_stretch(cos_v, na, nb * nb, cos_v * ne * ne, steps);
     Real hu, he, hw;
     scree_linear_half(stretch, cos_v, ne, ch, sh, nb, hu, he, hw);
     scree_linear_peak_at(sin_v, cos_v, nu, ne, nw, hu, he, hw, phi, k, tan2);

@@ -1,39 +1,56 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <vector>
 
+#include "kernel/linear_light.h"
 #include "texset/table_manifest.h"
 
 namespace scree {
 
-/// Number of texels along cos theta_v, cos theta_n and phi_n of a table of linear lights.
+/// What a table of linear lights is laid out over, and holds.
+enum class LinearLightCoordinates {
+    /// cos theta_v 0 to 1, cos theta_n -1 to 1, phi_n 0 to pi, in the frame of the light
+    /// (kernel/scree_linear_light.h) with the normal (sin theta_n cos phi_n, sin theta_n sin phi_n,
+    /// cos theta_n): Phi, k, tan^2 alpha
+    angles,
+    /// cos theta_v 0 to 1, the normal by scree_linear_cone_coordinates: its stretch, from which the
+    /// rest follows in closed form
+    cone
+};
+
+/// Texels along the three axes, each 2 or more.
 struct LinearLightResolution {
     int views = 32, normals = 128, azimuths = 64;
 };
 
-/// Where the reflection of a linear light is brightest, tabulated.
-///
-/// In the frame of the light (kernel/scree_linear_light.h) the normal of the surface is
-/// (sin theta_n cos phi_n, sin theta_n sin phi_n, cos theta_n). The first texel of each axis has
-/// its first value and the last its last: cos theta_v 0 to 1, cos theta_n -1 to 1, phi_n 0 to pi.
+/// Where the reflection of a linear light is brightest, tabulated. The first texel of each axis
+/// holds its first value and the last its last.
 struct LinearLightTable {
+    LinearLightCoordinates coordinates = LinearLightCoordinates::angles;
     LinearLightResolution size;
-    /// Phi, k, tan^2 alpha of each texel; cos theta_v fastest, then cos theta_n
-    std::vector<float> values;
+    std::vector<float> values; ///< of each texel; first axis fastest, then the second
 
-    [[nodiscard]] std::array<float, 3> at(int view, int normal, int azimuth) const;
+    [[nodiscard]] size_t channels() const
+    {
+        return coordinates == LinearLightCoordinates::angles ? 3 : 1;
+    }
+
+    /// As a shader looks it up: linear in all three coordinates.
+    [[nodiscard]] filter::LinearPeak<float> peak(const Imath::V3f& viewer,
+                                                 const Imath::V3f& normal) const;
 };
 
-/// size      each 2 or more
 /// progress  told the share that is done, from one thread; may throw to stop the work
-/// accuracy  of each texel, that of float (solved in double) [tests/tables/linear_light_table_test]
-/// source    Bruneton, Rama, specular surfaces, section 2.3
-LinearLightTable linear_light_table(const LinearLightResolution& size,
+/// error     of each texel that of float: solved in double
+///           [tests/tables/linear_light_table_test.cpp]
+/// source    Bruneton, Rama, specular surfaces, section 2.3; cone: docs/linear-lights.md
+LinearLightTable linear_light_table(LinearLightCoordinates coordinates,
+                                    const LinearLightResolution& size,
                                     const std::function<void(double)>& progress);
 
 /// What the table's manifest says of it.
-TableManifest linear_light_manifest(const LinearLightResolution& size);
+TableManifest linear_light_manifest(LinearLightCoordinates coordinates,
+                                    const LinearLightResolution& size);
 
 } // namespace scree

@@ -8,6 +8,9 @@ grep -q '"resolution": "4x5x6"' linear-light/linear-light.scree-table.json ||
     fail 'the manifest does not record --resolution'
 grep -q '4 cos theta_v x 5 cos theta_n x 6 phi_n' stdout || fail "no summary: $(cat stdout)"
 
+expect_success 'over the cone' -- "$scree" table linear-light --coordinates cone -o cone
+grep -q '"quantity": "stretch"' cone/linear-light.scree-table.json || fail 'no stretch over the cone'
+
 before=$(fingerprint linear-light)
 expect_success 'again, one thread, quiet' -- \
     "$scree" table linear-light --resolution 4x5x6 --threads 1 --quiet

@@ -51,7 +51,8 @@ int look_at_texels(const LinearLightTable& table, const Look& look)
                 if (view < 0.01)
                     continue;
                 ++seen;
-                look(table.at(v, n, p), curve);
+                const auto at = static_cast<size_t>(3 * ((p * normals + n) * views + v));
+                look({table.values[at], table.values[at + 1], table.values[at + 2]}, curve);
             }
     return seen;
 }
@@ -60,7 +61,8 @@ int look_at_texels(const LinearLightTable& table, const Look& look)
 // the viewer in the plane the lowest may be a point that no grid finds (PhiIsWhereThatIs...).
 TEST(LinearLightTable, HoldsTheLowestPointOfTheWholeCircle)
 {
-    const auto table = linear_light_table({9, 17, 13}, [](double) {});
+    const auto table =
+        linear_light_table(LinearLightCoordinates::angles, {9, 17, 13}, [](double) {});
     const int seen = look_at_texels(table, [](const std::array<float, 3>& got, const Curve& curve) {
         if (curve.cos_v == 0)
             return;
@@ -77,7 +79,8 @@ TEST(LinearLightTable, HoldsTheLowestPointOfTheWholeCircle)
 
 TEST(LinearLightTable, PhiIsWhereThatIsAndBetween0AndPi)
 {
-    const auto table = linear_light_table({9, 17, 13}, [](double) {});
+    const auto table =
+        linear_light_table(LinearLightCoordinates::angles, {9, 17, 13}, [](double) {});
     look_at_texels(table, [](const std::array<float, 3>& got, const Curve& curve) {
         const auto phi = static_cast<double>(got[0]);
         const auto tan2 = static_cast<double>(got[2]);
@@ -90,21 +93,78 @@ TEST(LinearLightTable, PhiIsWhereThatIsAndBetween0AndPi)
     });
 }
 
+Imath::V3f direction(float cosine, float azimuth)
+{
+    const float sine = std::sqrt(std::max(1 - cosine * cosine, 0.0F));
+    return {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine};
+}
+
+// At texels nothing is interpolated; in float the coordinates are 1e-6 of the table's width off.
+TEST(LinearLightTable, ALookupAtATexelIsTheTexel)
+{
+    const auto table =
+        linear_light_table(LinearLightCoordinates::angles, {9, 17, 13}, [](double) {});
+    for (const float sign : {1.0F, -1.0F})
+        for (int v = 1; v < 8; ++v)
+            for (int n = 1; n < 16; ++n) {
+                const auto viewer = direction(static_cast<float>(v) / 8, 0);
+                const auto normal = direction(static_cast<float>(n) / 8 - 1, sign * 0.2617994F);
+                if (viewer.dot(normal) < 0.1F)
+                    continue;
+                const auto want = filter::linear_peak(viewer, normal, 8);
+                const auto got = table.peak(viewer, normal);
+                EXPECT_NEAR(got.phi, want.phi, 1e-4F);
+                EXPECT_NEAR(got.k, want.k, 1e-4F * want.k);
+                EXPECT_NEAR(got.tan2, want.tan2, 1e-4F * (1 + want.tan2));
+            }
+}
+
+/// Largest error of tan^2 alpha where it matters, below 0.1, of views from above 17 degrees.
+float worst_tan2(const LinearLightTable& table)
+{
+    float worst = 0;
+    for (float v = 0.03F; v < 1; v += 0.031F)
+        for (float n = -0.98F; n < 1; n += 0.037F)
+            for (float p = -3.1F; p < 3.14F; p += 0.083F) {
+                const auto viewer = direction(v, 0), normal = direction(n, p);
+                const auto want = filter::linear_peak(viewer, normal, 8);
+                if (viewer.dot(normal) > 0.3F && want.tan2 < 0.1F)
+                    worst = std::max(worst, std::abs(table.peak(viewer, normal).tan2 - want.tan2));
+            }
+    return worst;
+}
+
+// Over angles the parabola of tan^2 about the cone is chopped into chords: (1 / 128)^2 or so, with
+// peaks near the edges; over the cone tan^2 is at a minimum in what is interpolated.
+TEST(LinearLightTable, OverTheConeInterpolationCostsHundredsOfTimesLess)
+{
+    const float angles = worst_tan2(
+        linear_light_table(LinearLightCoordinates::angles, {32, 128, 64}, [](double) {}));
+    const float cone =
+        worst_tan2(linear_light_table(LinearLightCoordinates::cone, {32, 64, 32}, [](double) {}));
+    RecordProperty("angles", std::to_string(angles));
+    RecordProperty("cone", std::to_string(cone));
+    EXPECT_LT(cone, 1e-4F);
+    EXPECT_GT(angles, 100 * cone);
+}
+
 TEST(LinearLightTable, TellsItsProgressAndStopsWhenThatThrows)
 {
     double last = 0;
-    linear_light_table({2, 2, 5}, [&last](double done) {
+    linear_light_table(LinearLightCoordinates::angles, {2, 2, 5}, [&last](double done) {
         EXPECT_GT(done, last);
         last = done;
     });
     EXPECT_EQ(last, 1);
-    EXPECT_THROW(linear_light_table({2, 2, 5}, [](double) { throw std::runtime_error("stop"); }),
+    EXPECT_THROW(linear_light_table(LinearLightCoordinates::angles, {2, 2, 5},
+                                    [](double) { throw std::runtime_error("stop"); }),
                  std::runtime_error);
 }
 
 TEST(LinearLightTable, ManifestHasTheSizesAndRangesOfTheTable)
 {
-    const TableManifest manifest = linear_light_manifest({32, 128, 64});
+    const TableManifest manifest =
+        linear_light_manifest(LinearLightCoordinates::angles, {32, 128, 64});
     EXPECT_EQ(manifest.width(), 32);
     EXPECT_EQ(manifest.height(), 128 * 64);
     EXPECT_EQ(manifest.axes[0].coordinates.back(), 1);
