@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+
+#include "kernel/linear_light_oracle.h"
 
 namespace scree {
 namespace {
@@ -146,6 +149,33 @@ TEST(LinearLightTable, OverTheConeInterpolationCostsHundredsOfTimesLess)
     RecordProperty("cone", std::to_string(cone));
     EXPECT_LT(cone, 1e-4F);
     EXPECT_GT(angles, 100 * cone);
+}
+
+// Rms of what looking up changes in the Gaussian of W, over rms of that: the Gaussian's own error
+// is 0.97 % at sigma^2 = 0.002 and grows from there (tests/kernel/linear_light_test.cpp).
+TEST(LinearLightTable, OverTheConeALookupAddsLessThanATenthOfTheGaussiansError)
+{
+    const auto table =
+        linear_light_table(LinearLightCoordinates::cone, {32, 64, 32}, [](double) {});
+    std::mt19937 random(3);
+    double error = 0, value = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const auto scene = test::random_scene(random, 0.002, 0.3);
+        const auto view = filter::linear_view(
+            filter::LinearLight<float>{Imath::V3f(scene.from), Imath::V3f(scene.to),
+                                       Imath::V3f(scene.light_normal)},
+            Imath::V3f(scene.normal), Imath::V3f(scene.viewer));
+        auto lobe = [&view](const filter::LinearPeak<float>& peak) {
+            float centre = 0;
+            return static_cast<double>(kernel::scree_linear_integral(
+                view.first, view.last, peak.phi, peak.k, peak.tan2, 0.002F, centre));
+        };
+        const double want = lobe(filter::linear_peak(view.viewer, view.normal, 8));
+        error += std::pow(lobe(table.peak(view.viewer, view.normal)) - want, 2);
+        value += want * want;
+    }
+    ASSERT_GT(value, 0);
+    EXPECT_LT(std::sqrt(error / value), 0.0097 / 10);
 }
 
 TEST(LinearLightTable, TellsItsProgressAndStopsWhenThatThrows)
