@@ -237,6 +237,21 @@ TEST(LinearLight, TheBendOfTheCurveBelongsIntoK)
     EXPECT_LT(3 * curved.value(), straight.value());
 }
 
+// The source's further simplification of the terms before the exponential (docs/errata.md). Exact
+// W, so that nothing else enters; 0.1 for the choice of configurations.
+TEST(LinearLight, TermsAtTheMiddleOfTheLightCostAThird)
+{
+    RelativeRms at_middle, at_peak;
+    look_at_scenes(1500, 0.002, [&](const LinearScene& scene, const LinearAngles& angles) {
+        const double want = reflected_exactly(scene), lobe = lobe_integral(scene, angles);
+        const double phi = scanned_peak(scene, angles).phi;
+        at_middle.add(lobe * constant_terms(scene, angles, angles.centre, false), want);
+        at_peak.add(lobe * constant_terms(scene, angles, phi, true), want);
+    });
+    EXPECT_NEAR(at_middle.value(), 0.36, 0.1);
+    EXPECT_LT(at_peak.value(), 0.01);
+}
+
 /// As the source prints it: both bounds wrapped, the absolute value of the difference.
 double published_integral(double first, double last, double phi, double k, double tan2,
                           double sigma2)

@@ -6,7 +6,7 @@
 
 namespace scree::test {
 
-/// The code block of a page of docs/ in that language; empty when there is none.
+/// The first code block of a page of docs/ in that language; empty when there is none.
 inline std::string doc_example(const std::string& language,
                                const std::string& page = "filtering.md")
 {
