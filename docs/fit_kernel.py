@@ -212,3 +212,20 @@ for order in (0, 1):
 
 
 fit_erfc()
+
+# --- scree_brdf_coordinates.h -------------------------------------------------------------------
+
+
+def fit_to_double(name, f, limit, terms):
+    """f in x^2, |x| <= limit: near the minimax, with digits to spare; the highest power first."""
+    c, worst = mp.chebyfit(lambda s: f(mp.sqrt(max(s, mp.mpf(10) ** -20))), [0, limit**2 * 1.0001],
+                           terms, error=True)
+    print(f"{name}: absolute error {mp.nstr(worst, 2)}")
+    print("    c =", ", ".join(mp.nstr(n, 18) for n in c))
+
+
+fit_to_double("(sin(x) / x - 1) / x^2", lambda x: (mp.sin(x) / x - 1) / x**2, mp.pi / 4, 6)
+fit_to_double("(cos(x) - 1 + x^2 / 2) / x^4", lambda x: (mp.cos(x) - 1 + x**2 / 2) / x**4,
+              mp.pi / 4, 6)
+fit_to_double("(atan(x) / x - 1) / x^2", lambda x: (mp.atan(x) / x - 1) / x**2,
+              mp.tan(mp.pi / 8), 11)
