@@ -95,6 +95,7 @@ void add_table(CLI::App& app)
         app.add_subcommand("table", "tables that stand for themselves, as textures for shaders");
     command->require_subcommand(1);
     add_linear_light_table(*command);
+    add_brdf_table(*command);
     command->footer("docs/tables.md explains each table and how a shader reads it.");
 }
 

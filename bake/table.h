@@ -39,6 +39,7 @@ void make_table(const CLI::App& command, const std::string& kind, const TableWor
                 const std::function<MadeTable(const std::function<void(double)>& progress)>& make);
 
 /// Each adds a kind to `scree table`.
+void add_brdf_table(CLI::App& table);
 void add_linear_light_table(CLI::App& table);
 
 } // namespace scree::tool

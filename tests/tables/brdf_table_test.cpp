@@ -1,0 +1,209 @@
+#include "tables/brdf_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "kernel/direction_pairs.h"
+#include "math/error.h"
+#include "pipeline/bake.h"
+#include "support/random_image.h"
+#include "tables/effective_brdf.h"
+
+namespace scree::test {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+std::vector<BrdfGrid> all_grids(std::array<int, 3> size)
+{
+    std::vector<BrdfGrid> all;
+    for (const auto parametrization :
+         {BrdfParametrization::half_difference, BrdfParametrization::orthographic,
+          BrdfParametrization::hybrid})
+        for (const bool root : {false, true})
+            for (const bool fitted : {false, true})
+                all.push_back({parametrization, size, root, fitted});
+    return all;
+}
+
+std::string text(const BrdfGrid& grid)
+{
+    return name_of(grid.parametrization) + (grid.root ? " root" : "") +
+           (grid.fitted ? " fitted" : "");
+}
+
+void no_progress(double /*share*/) {}
+
+/// Where the last texels of the axes are not one point of the hemispheres: both directions above
+/// the horizon, h off the normal, k not 0.
+bool is_regular(const filter::Directions<double>& w)
+{
+    const auto c = filter::isotropic_coordinates(w);
+    return std::min(w.wo.z, w.wi.z) > 1e-6 && c.h_bar > 1e-6 && c.k_bar > 1e-6;
+}
+
+TEST(BrdfGrid, NodesLieWhereTheirDirectionsAreLookedUp)
+{
+    for (const BrdfGrid& grid : all_grids({9, 8, 7})) {
+        int checked = 0;
+        for (int a = 0; a < 9; ++a)
+            for (int b = 0; b < 8; ++b)
+                for (int c = 0; c < 7; ++c) {
+                    const auto w = grid.directions(a, b, c);
+                    if (!is_regular(w))
+                        continue;
+                    ++checked;
+                    const auto place = grid.place(w);
+                    EXPECT_NEAR(place[0], a, 1e-9) << text(grid);
+                    EXPECT_NEAR(place[1], b, 1e-9) << text(grid) << ' ' << a << ' ' << b;
+                    EXPECT_NEAR(place[2], c, 1e-9) << text(grid);
+                }
+        // Whole axes waste nodes on what is below the horizon; fitted ones only have the edges.
+        if (grid.fitted) {
+            EXPECT_EQ(checked, 7 * 6 * 7) << text(grid);
+        } else {
+            EXPECT_GT(checked, 7 * 7 * 2) << text(grid);
+        }
+    }
+}
+
+// Linear interpolation gives linear functions of the place back, up to float.
+TEST(BrdfGrid, LookUpIsLinearBetweenNodes)
+{
+    for (const BrdfGrid& grid : all_grids({5, 6, 4})) {
+        std::vector<float> values;
+        for (int c = 0; c < 4; ++c)
+            for (int b = 0; b < 6; ++b)
+                for (int a = 0; a < 5; ++a) {
+                    values.push_back(static_cast<float>(1 + 2 * a - 3 * b + 5 * c));
+                    values.push_back(static_cast<float>(a * b * c));
+                }
+        for (const auto& [name, w] : direction_pairs()) {
+            const auto [a, b, c] = grid.place(w);
+            const auto found = look_up(grid, values, 2, w);
+            EXPECT_NEAR(found[0], 1 + 2 * a - 3 * b + 5 * c, 1e-12) << text(grid) << name;
+            EXPECT_NEAR(found[1], a * b * c, 1e-12) << text(grid) << name;
+        }
+    }
+}
+
+TEST(BrdfTable, HoldsTheFunctionAtItsNodes)
+{
+    const auto brdf = [](const filter::Directions<double>& w) {
+        return Rgbf{static_cast<float>(w.wo.z * w.wi.z), static_cast<float>(w.wo.z + w.wi.z), 1};
+    };
+    for (const BrdfGrid& grid : all_grids({5, 4, 3})) {
+        double told = 0;
+        const auto values = brdf_table(grid, brdf, [&](double share) { told = share; });
+        EXPECT_EQ(told, 1);
+        ASSERT_EQ(values.size(), 3 * grid.nodes());
+        const auto w = grid.directions(2, 1, 1);
+        const size_t node = 3 * ((1 * 4 + 1) * 5 + 2);
+        EXPECT_EQ(values[node], static_cast<float>(w.wo.z * w.wi.z)) << text(grid);
+        EXPECT_EQ(values[node + 2], 1);
+        const TableManifest manifest = brdf_manifest(grid);
+        EXPECT_EQ(static_cast<size_t>(manifest.width()) * static_cast<size_t>(manifest.height()),
+                  grid.nodes());
+    }
+}
+
+// A smooth function of second order: halving the steps must leave a quarter of the error.
+TEST(BrdfTable, ErrorFallsWithTheSquareOfTheStep)
+{
+    const auto brdf = [](const filter::Directions<double>& w) {
+        const auto c = filter::isotropic_coordinates(w);
+        const double value = std::exp(-2 * c.h_bar * c.h_bar) * (1 + c.k * c.k);
+        return Rgbf{static_cast<float>(value), 0, 0};
+    };
+    for (const auto parametrization :
+         {BrdfParametrization::half_difference, BrdfParametrization::orthographic,
+          BrdfParametrization::hybrid}) {
+        std::array<double, 2> rms{};
+        for (const size_t fine : {0U, 1U}) {
+            const int n = fine == 0 ? 9 : 17;
+            const BrdfGrid grid{parametrization, {n, n, n}, false, false};
+            const auto values = brdf_table(grid, brdf, no_progress);
+            int count = 0;
+            for (const auto& [name, w] : direction_pairs()) {
+                // Nodes beyond the horizon repeat its value, which is only of first order there.
+                if (name != "random" || std::min(w.wo.z, w.wi.z) < 0.5)
+                    continue;
+                ++count;
+                rms[fine] +=
+                    std::pow(look_up(grid, values, 3, w)[0] - static_cast<double>(brdf(w)[0]), 2);
+            }
+            rms[fine] = std::sqrt(rms[fine] / count);
+        }
+        EXPECT_NEAR(rms[0] / rms[1], 4, 0.8) << name_of(parametrization);
+    }
+}
+
+class EffectiveBrdfTest : public ::testing::Test {
+protected:
+    /// 16x16 heights, and colors of mean `color_`.
+    void bake_heights(float low, float high)
+    {
+        write_image(temp_ / "h.exr", random_image(16, 16, {"Y"}, 5, low, high));
+        const Image colors = random_image(16, 16, {"R", "G", "B"}, 6);
+        write_image(temp_ / "c.exr", colors);
+        for (size_t i = 0; i < colors.pixels.size(); ++i)
+            color_[i % 3] += static_cast<double>(colors.pixels[i]) / 256;
+        BakeOptions options;
+        options.height_file = temp_ / "h.exr";
+        options.color_file = temp_ / "c.exr";
+        options.output = temp_ / "set";
+        options.height_scale = 0.5;
+        options.texel_size = {{1, 1}};
+        options.wrap_s = options.wrap_t = Wrap::periodic;
+        options.pixel_type = PixelTypeChoice::float32;
+        options.maps = {Map::color, Map::slope};
+        bake(options);
+    }
+
+    TempFolder temp_;
+    std::array<double, 3> color_{};
+};
+
+// Flat: a Lambertian of the mean color, 1e-5 of float; where Schlick's term is below 1e-7.
+TEST_F(EffectiveBrdfTest, OfAFlatSurfaceIsItsColorOverPi)
+{
+    bake_heights(0.5F, 0.5F);
+    for (const int level : {0, 2, 4}) {
+        const EffectiveBrdf brdf(temp_ / "set", level, {0.3F, 0, 4});
+        for (const auto& [name, w] : direction_pairs()) {
+            if (name != "random" || std::min(w.wo.z, w.wi.z) < 0.02 || w.wo.dot(w.wi) < 0.9)
+                continue;
+            const Rgbf got = brdf(w);
+            for (size_t c = 0; c < 3; ++c)
+                ASSERT_NEAR(static_cast<double>(got[c]) * kPi, color_[c], 1e-5) << level;
+            if (level == 0)
+                break; // 256 texels
+        }
+    }
+}
+
+TEST_F(EffectiveBrdfTest, IsReciprocalAndAllButIsotropic)
+{
+    bake_heights(0, 1);
+    const EffectiveBrdf brdf(temp_ / "set", 2, {0.3F, 0.04F, 32});
+    const filter::Directions<double> w{Imath::V3d(0.6, 0.1, 0.5).normalized(),
+                                       Imath::V3d(-0.3, 0.7, 0.4).normalized()};
+    const float here = brdf(w)[0];
+    EXPECT_NEAR(brdf({w.wi, w.wo})[0], here, 1e-6F * here);
+    // Up to 32 turns instead of all.
+    const auto turned = [](const Imath::V3d& v) { return Imath::V3d(v.y, -v.x, v.z); };
+    const auto mirrored = [](const Imath::V3d& v) { return Imath::V3d(-v.x, v.y, v.z); };
+    EXPECT_NEAR(brdf({turned(w.wo), turned(w.wi)})[0], here, 1e-3F * here);
+    EXPECT_NEAR(brdf({mirrored(w.wo), mirrored(w.wi)})[0], here, 1e-3F * here);
+}
+
+TEST_F(EffectiveBrdfTest, ALevelThatIsNotThereIsAnError)
+{
+    bake_heights(0, 1);
+    for (const int level : {-1, 5})
+        EXPECT_THROW(EffectiveBrdf(temp_ / "set", level, {}), Error) << level;
+}
+
+} // namespace
+} // namespace scree::test
