@@ -20,9 +20,9 @@ double between(double first, double last, int i, int count)
 
 std::vector<double> evenly_spaced(double first, double last, int count)
 {
-    std::vector<double> all;
+    std::vector<double> all(static_cast<size_t>(count));
     for (int i = 0; i < count; ++i)
-        all.push_back(between(first, last, i, count));
+        all[static_cast<size_t>(i)] = between(first, last, i, count);
     return all;
 }
 

@@ -292,6 +292,7 @@ int run(int argc, char** argv)
     for (const double sigma2 : kSigma2) {
         const Configurations on(sigma2);
         std::vector<double> of;
+        of.reserve(all.size());
         for (const Way& way : all)
             of.push_back(on.error(way));
         errors.push_back(of);

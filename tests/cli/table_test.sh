@@ -32,9 +32,13 @@ expect_equal 'and stays' "$(cat linear-light/mine.txt)" mine
 
 expect_success 'large enough to be stopped' -- "$scree" table linear-light --resolution 2x2x2 -o old
 before=$(fingerprint old)
-"$scree" table linear-light --resolution 512x512x512 --quiet -o old 2> stderr &
-sleep 0.5
-kill -INT $!
+"$scree" table linear-light --resolution 32x256x1024 --quiet -o old > stdout 2> stderr &
+for ((i = 0; i < 3000; ++i)); do # the hidden folder comes first
+    [ -z "$(staging)" ] || break
+    sleep 0.01
+done
+sleep 0.1
+kill -TERM $!
 wait $!
 expect_equal 'stopped by a signal' "$?" 130
 expect_equal 'the old table stays' "$(fingerprint old)" "$before"

@@ -54,7 +54,10 @@ int look_at_texels(const LinearLightTable& table, const Look& look)
                 if (view < 0.01)
                     continue;
                 ++seen;
-                const auto at = static_cast<size_t>(3 * ((p * normals + n) * views + v));
+                const auto at = 3 * ((static_cast<size_t>(p) * static_cast<size_t>(normals) +
+                                      static_cast<size_t>(n)) *
+                                         static_cast<size_t>(views) +
+                                     static_cast<size_t>(v));
                 look({table.values[at], table.values[at + 1], table.values[at + 2]}, curve);
             }
     return seen;
@@ -126,10 +129,12 @@ TEST(LinearLightTable, ALookupAtATexelIsTheTexel)
 float worst_tan2(const LinearLightTable& table)
 {
     float worst = 0;
-    for (float v = 0.03F; v < 1; v += 0.031F)
-        for (float n = -0.98F; n < 1; n += 0.037F)
-            for (float p = -3.1F; p < 3.14F; p += 0.083F) {
-                const auto viewer = direction(v, 0), normal = direction(n, p);
+    for (int v = 1; v < 32; ++v)
+        for (int n = 0; n < 54; ++n)
+            for (int p = 0; p < 75; ++p) {
+                const auto viewer = direction(0.031F * static_cast<float>(v), 0);
+                const auto normal = direction(0.037F * static_cast<float>(n) - 0.98F,
+                                              0.083F * static_cast<float>(p) - 3.1F);
                 const auto want = filter::linear_peak(viewer, normal, 8);
                 if (viewer.dot(normal) > 0.3F && want.tan2 < 0.1F)
                     worst = std::max(worst, std::abs(table.peak(viewer, normal).tan2 - want.tan2));

@@ -40,7 +40,7 @@ TEST(TableFile, HoldsTheValuesInTheLayoutTheManifestSays)
 {
     const TempFolder temp;
     const TableManifest manifest = some_manifest();
-    write_table(manifest, rising(3 * 8 * 2), temp.path());
+    write_table(manifest, rising(48), temp.path());
     const auto image = test::read_levels(temp / "some.exr").at(0);
     ASSERT_EQ(image.width, 3);
     ASSERT_EQ(image.height, 8);
