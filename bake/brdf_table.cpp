@@ -21,7 +21,7 @@ struct BrdfWords {
     std::filesystem::path set;
     int level = 0;
     EffectiveBrdfOptions brdf;
-    std::string parametrization = "hybrid", size = "32x32x16", spacing = "root", second = "whole";
+    std::string parametrization = "hybrid", size = "32x32x16", spacing = "angle", second = "fitted";
 };
 
 /// "AxBxC", each 2 to 1024. Throws UsageError.
@@ -52,10 +52,17 @@ BrdfParametrization parametrization_named(const std::string& word)
     return BrdfParametrization::hybrid;
 }
 
+BrdfSpacing spacing_named(const std::string& word)
+{
+    if (word == "even")
+        return BrdfSpacing::even;
+    return word == "root" ? BrdfSpacing::root : BrdfSpacing::angle;
+}
+
 void run(const CLI::App& command, const BrdfWords& words)
 {
     const BrdfGrid grid{parametrization_named(words.parametrization), size_named(words.size),
-                        words.spacing == "root", words.second == "fitted"};
+                        spacing_named(words.spacing), words.second == "fitted"};
     make_table(command, brdf_manifest(grid).kind, words.table,
                [&](const std::function<void(double)>& progress) {
                    const EffectiveBrdf brdf(words.set, words.level, words.brdf);
@@ -79,8 +86,11 @@ void add_brdf_table(CLI::App& table)
         ->capture_default_str();
     command->add_option("--size", words->size, "nodes along the three axes")
         ->option_text("AxBxC [32x32x16]");
-    command->add_option("--spacing", words->spacing, "nodes of the first axis: at squares, or even")
-        ->check(CLI::IsMember({"root", "even"}))
+    command
+        ->add_option(
+            "--spacing", words->spacing,
+            "nodes at even steps; of the first axis at squares; or so of angles, of lengths too")
+        ->check(CLI::IsMember({"angle", "root", "even"}))
         ->capture_default_str();
     command
         ->add_option("--second", words->second,

@@ -205,7 +205,9 @@ SCREE_FUNCTION Real scree_half_difference_reach(Real theta_h, Real phi_d)
     Real sin_h, cos_h, sin_d, cos_d;
     scree_sin_cos(theta_h, sin_h, cos_h);
     scree_sin_cos(phi_d, sin_d, cos_d);
-    return scree_angle(max(cos_h, LIT(0.0)), sin_h * abs(cos_d));
+    // k across h stays in the plane, h at the horizon too: pi/2, whatever cos(pi/2) is rounded to.
+    Real along = abs(cos_d) > LIT(1.0e-7) ? sin_h * abs(cos_d) : LIT(0.0);
+    return scree_angle(max(cos_h, LIT(1.0e-30)), along);
 }
 
 /// Directions of half/difference coordinates, theta_h and theta_d in [0, pi/2].

@@ -30,10 +30,29 @@ double reach(BrdfParametrization parametrization, double first, double azimuth)
 
 double share(int i, int count) { return static_cast<double>(i) / (count - 1); }
 
+/// Whether nodes lie at sines of angles.
+bool has_sines(const BrdfGrid& grid)
+{
+    return grid.spacing == BrdfSpacing::angle &&
+           grid.parametrization != BrdfParametrization::half_difference;
+}
+
+/// Axis to share of its range, and back.
+double of_range(const BrdfGrid& grid, double even)
+{
+    return has_sines(grid) ? std::sin(kQuarter * even) : even;
+}
+double even_of(const BrdfGrid& grid, double of_range)
+{
+    const double share = std::min(of_range, 1.0);
+    return has_sines(grid) ? std::asin(share) / kQuarter : share;
+}
+
 double first_of(const BrdfGrid& grid, int i)
 {
     const double even = share(i, grid.size[0]);
-    return range(grid.parametrization) * (grid.root ? even * even : even);
+    const double placed = grid.spacing == BrdfSpacing::even ? even : even * even;
+    return range(grid.parametrization) * of_range(grid, placed);
 }
 
 std::array<double, 3> isotropic(const BrdfGrid& grid, const filter::Directions<double>& w)
@@ -63,8 +82,9 @@ size_t BrdfGrid::nodes() const
 filter::Directions<double> BrdfGrid::directions(int first, int second, int azimuth) const
 {
     const double a = first_of(*this, first), phi = kQuarter * share(azimuth, size[2]);
-    const double end = reach(parametrization, a, phi), even = share(second, size[1]);
-    const double b = fitted ? even * end : std::min(even * range(parametrization), end);
+    const double end = reach(parametrization, a, phi);
+    const double part = of_range(*this, share(second, size[1]));
+    const double b = fitted ? part * end : std::min(part * range(parametrization), end);
     switch (parametrization) {
     case BrdfParametrization::half_difference:
         return filter::directions(filter::HalfDifference<double>{a, 0, b, phi});
@@ -80,11 +100,11 @@ std::array<double, 3> BrdfGrid::place(const filter::Directions<double>& w) const
 {
     const auto [a, b, phi] = isotropic(*this, w);
     const double most = range(parametrization);
-    const double along = std::min(a / most, 1.0);
+    const double along = even_of(*this, a / most);
     // At the far end of h nothing is left of k: any share is right.
     const double end = fitted ? std::max(reach(parametrization, a, phi), 1e-12) : most;
-    return {(root ? std::sqrt(along) : along) * (size[0] - 1),
-            std::min(b / end, 1.0) * (size[1] - 1), std::min(phi / kQuarter, 1.0) * (size[2] - 1)};
+    return {(spacing == BrdfSpacing::even ? along : std::sqrt(along)) * (size[0] - 1),
+            even_of(*this, b / end) * (size[1] - 1), std::min(phi / kQuarter, 1.0) * (size[2] - 1)};
 }
 
 std::vector<TableAxis> BrdfGrid::axes() const
@@ -116,7 +136,8 @@ std::vector<TableAxis> BrdfGrid::axes() const
     for (int i = 0; i < size[0]; ++i)
         all[0].coordinates.push_back(first_of(*this, i));
     for (int i = 0; i < size[1]; ++i)
-        all[1].coordinates.push_back(share(i, size[1]) * (fitted ? 1 : range(parametrization)));
+        all[1].coordinates.push_back(of_range(*this, share(i, size[1])) *
+                                     (fitted ? 1 : range(parametrization)));
     for (int i = 0; i < size[2]; ++i)
         all[2].coordinates.push_back(share(i, size[2]) * kQuarter);
     return all;

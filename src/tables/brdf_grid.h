@@ -11,6 +11,13 @@ namespace scree {
 
 enum class BrdfParametrization { half_difference, orthographic, hybrid };
 
+/// Where the nodes of the first two axes lie.
+enum class BrdfSpacing {
+    even,  ///< at even steps of theta_h, theta_d, or of lengths
+    root,  ///< of the first axis at squares of even steps, dense where lobes are
+    angle, ///< as root, but of angles whose sines the lengths are: half/difference is as root
+};
+
 /// Where an isotropic BRDF is tabulated: over (theta_h, theta_d, phi_d), (|h_bar|, |k_bar|,
 /// azimuth) or (|h_bar|, |k|, azimuth), azimuth = phi_k - phi_h. Reciprocity and mirror images
 /// leave [0, pi/2] of the azimuth; the others reach to pi/2 or 1. The first node of an axis has its
@@ -18,11 +25,10 @@ enum class BrdfParametrization { half_difference, orthographic, hybrid };
 struct BrdfGrid {
     BrdfParametrization parametrization = BrdfParametrization::hybrid;
     std::array<int, 3> size = {32, 32, 16}; ///< each 2 or more
-    /// Nodes of the first axis at squares of even steps, dense where lobes are; else even.
-    bool root = true;
+    BrdfSpacing spacing = BrdfSpacing::angle;
     /// The second axis is a share of what two directions above the surface have of it
     /// (scree_*_reach): no node is wasted. Else absolute, and nodes beyond are those of the end.
-    bool fitted = false;
+    bool fitted = true;
 
     [[nodiscard]] size_t nodes() const;
     /// Directions of a node, the half vector's azimuth 0.

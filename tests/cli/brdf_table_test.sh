@@ -8,17 +8,17 @@ small="--set set --level 5 --size 6x5x4"
 expect_success 'default folder' -- "$scree" table brdf $small
 expect_equal 'its files' "$(ls brdf-hybrid | tr '\n' ' ')" \
     'brdf-hybrid.exr brdf-hybrid.scree-table.json '
-grep -q '6 |h_bar| x 5 |k| x 4 azimuth' stdout || fail "no summary: $(cat stdout)"
+grep -q '6 |h_bar| x 5 |k| / reach x 4 azimuth' stdout || fail "no summary: $(cat stdout)"
 grep -q '"level": "5"' brdf-hybrid/brdf-hybrid.scree-table.json || fail '--level is not recorded'
 before=$(fingerprint brdf-hybrid)
 expect_success 'one thread, quiet' -- "$scree" table brdf $small --threads 1 --quiet
 expect_equal 'the same bytes with one thread' "$(fingerprint brdf-hybrid)" "$before"
 
 expect_success 'half-difference' -- "$scree" table brdf $small --parametrization half-difference
-grep -q '6 theta_h x 5 theta_d x 4 phi_d' stdout || fail "half-difference: $(cat stdout)"
-expect_success 'fitted' -- \
-    "$scree" table brdf $small --parametrization orthographic --second fitted --spacing even
-grep -q '5 |k_bar| / reach' stdout || fail "fitted: $(cat stdout)"
+grep -q '6 theta_h x 5 theta_d / reach x 4 phi_d' stdout || fail "half-difference: $(cat stdout)"
+expect_success 'whole' -- \
+    "$scree" table brdf $small --parametrization orthographic --second whole --spacing even
+grep -q '5 |k_bar| x' stdout || fail "whole: $(cat stdout)"
 
 for wrong in 4x5 4x5x 1x5x6 4x5x6x7 a; do
     expect_usage_error "size $wrong" "expected three numbers.*got '$wrong'" -- \

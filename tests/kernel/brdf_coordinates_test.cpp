@@ -246,6 +246,10 @@ TEST(BrdfCoordinates, ReachIsWhereADirectionMeetsTheHorizon)
             });
             ASSERT_NEAR(kernel::scree_half_difference_reach(theta_h, azimuth), theta_d, 1e-9);
         }
+    EXPECT_NEAR(kernel::scree_half_difference_reach(kPi / 2, 0.3), 0, 1e-15);
+    EXPECT_EQ(kernel::scree_half_difference_reach(kPi / 2, kPi / 2), kPi / 2);
+    const auto quarter = static_cast<float>(kPi / 2);
+    EXPECT_EQ(kernel::scree_half_difference_reach(quarter, quarter), quarter);
     EXPECT_EQ(kernel::scree_orthographic_reach(1.0, 0.3), 0);
     EXPECT_EQ(kernel::scree_hybrid_reach(1.0, 0.3), 0);
     EXPECT_NEAR(kernel::scree_orthographic_reach(0.0, 0.3), 1, 1e-15);

@@ -21,15 +21,15 @@ std::vector<BrdfGrid> all_grids(std::array<int, 3> size)
     for (const auto parametrization :
          {BrdfParametrization::half_difference, BrdfParametrization::orthographic,
           BrdfParametrization::hybrid})
-        for (const bool root : {false, true})
+        for (const auto spacing : {BrdfSpacing::even, BrdfSpacing::root, BrdfSpacing::angle})
             for (const bool fitted : {false, true})
-                all.push_back({parametrization, size, root, fitted});
+                all.push_back({parametrization, size, spacing, fitted});
     return all;
 }
 
 std::string text(const BrdfGrid& grid)
 {
-    return name_of(grid.parametrization) + (grid.root ? " root" : "") +
+    return name_of(grid.parametrization) + " " + std::to_string(static_cast<int>(grid.spacing)) +
            (grid.fitted ? " fitted" : "");
 }
 
@@ -122,7 +122,7 @@ TEST(BrdfTable, ErrorFallsWithTheSquareOfTheStep)
         std::array<double, 2> rms{};
         for (const size_t fine : {0U, 1U}) {
             const int n = fine == 0 ? 9 : 17;
-            const BrdfGrid grid{parametrization, {n, n, n}, false, false};
+            const BrdfGrid grid{parametrization, {n, n, n}, BrdfSpacing::even, false};
             const auto values = brdf_table(grid, brdf, no_progress);
             int count = 0;
             for (const auto& [name, w] : direction_pairs()) {
