@@ -119,4 +119,14 @@ IsotropicCoordinates<Real> isotropic_coordinates(const Directions<Real>& w)
     return out;
 }
 
+/// Where the table of `scree table brdf` with its own axes has a pair of directions, each in [0,
+/// 1].
+template <typename Real>
+Vec3<Real> hybrid_place(const Directions<Real>& w)
+{
+    Vec3<Real> out;
+    kernel::scree_hybrid_place(w.wo.x, w.wo.y, w.wo.z, w.wi.x, w.wi.y, w.wi.z, out.x, out.y, out.z);
+    return out;
+}
+
 } // namespace scree::filter

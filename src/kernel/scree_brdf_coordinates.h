@@ -23,7 +23,7 @@
 
 /// sin and cos to rounding (2e-16 in double), |angle| <= 7: two minimax polynomials on a quarter of
 /// the circle. Not the languages' own, which promise less than float holds.
-SCREE_FUNCTION void scree_sin_cos(Real angle, OUT(Real, sine), OUT(Real, cosine))
+SCREE_FUNCTION void scree_sine_cosine(Real angle, OUT(Real, sine), OUT(Real, cosine))
 {
     Real a = abs(angle);
     Real quarters = LIT(0.0);
@@ -170,7 +170,7 @@ SCREE_FUNCTION void scree_from_half_frame(Real h_bar, Real hz, Real phi_h, Real 
                                           OUT(Real, wix), OUT(Real, wiy), OUT(Real, wiz))
 {
     Real sine, cosine;
-    scree_sin_cos(phi_h, sine, cosine);
+    scree_sine_cosine(phi_h, sine, cosine);
     Real i = h_bar + along;
     Real o = h_bar - along;
     scree_above_horizon(i * cosine - across * sine, i * sine + across * cosine, hz + kz, wix, wiy,
@@ -203,8 +203,8 @@ SCREE_FUNCTION void scree_to_half_difference(Real wox, Real woy, Real woz, Real 
 SCREE_FUNCTION Real scree_half_difference_reach(Real theta_h, Real phi_d)
 {
     Real sin_h, cos_h, sin_d, cos_d;
-    scree_sin_cos(theta_h, sin_h, cos_h);
-    scree_sin_cos(phi_d, sin_d, cos_d);
+    scree_sine_cosine(theta_h, sin_h, cos_h);
+    scree_sine_cosine(phi_d, sin_d, cos_d);
     // k across h stays in the plane, h at the horizon too: pi/2, whatever cos(pi/2) is rounded to.
     Real along = abs(cos_d) > LIT(1.0e-7) ? sin_h * abs(cos_d) : LIT(0.0);
     return scree_angle(max(cos_h, LIT(1.0e-30)), along);
@@ -219,9 +219,9 @@ SCREE_FUNCTION void scree_from_half_difference(Real theta_h, Real phi_h, Real th
                                                OUT(Real, wix), OUT(Real, wiy), OUT(Real, wiz))
 {
     Real upright, lying, h_length, k_length, sine, cosine;
-    scree_sin_cos(theta_h, lying, upright);
-    scree_sin_cos(theta_d, k_length, h_length);
-    scree_sin_cos(phi_d, sine, cosine);
+    scree_sine_cosine(theta_h, lying, upright);
+    scree_sine_cosine(theta_d, k_length, h_length);
+    scree_sine_cosine(phi_d, sine, cosine);
     Real down = k_length * cosine;
     scree_from_half_frame(h_length * lying, h_length * upright, phi_h, down * upright,
                           k_length * sine, -down * lying, wox, woy, woz, wix, wiy, wiz);
@@ -250,7 +250,7 @@ SCREE_FUNCTION void scree_to_orthographic(Real wox, Real woy, Real wix, Real wiy
 SCREE_FUNCTION Real scree_orthographic_reach(Real h_bar, Real azimuth)
 {
     Real sine, cosine;
-    scree_sin_cos(azimuth, sine, cosine);
+    scree_sine_cosine(azimuth, sine, cosine);
     Real h = min(h_bar, LIT(1.0));
     Real across = h * sine;
     Real q = sqrt(max((LIT(1.0) - across) * (LIT(1.0) + across), LIT(0.0)));
@@ -267,10 +267,10 @@ SCREE_FUNCTION void scree_from_orthographic(Real h_bar, Real phi_h, Real k_bar, 
                                             OUT(Real, wix), OUT(Real, wiy), OUT(Real, wiz))
 {
     Real sine, cosine;
-    scree_sin_cos(phi_h, sine, cosine);
+    scree_sine_cosine(phi_h, sine, cosine);
     Real hx = h_bar * cosine;
     Real hy = h_bar * sine;
-    scree_sin_cos(phi_k, sine, cosine);
+    scree_sine_cosine(phi_k, sine, cosine);
     Real kx = k_bar * cosine;
     Real ky = k_bar * sine;
     Real iz = sqrt(max(LIT(1.0) - (hx + kx) * (hx + kx) - (hy + ky) * (hy + ky), LIT(0.0)));
@@ -304,7 +304,7 @@ SCREE_FUNCTION void scree_to_hybrid(Real wox, Real woy, Real woz, Real wix, Real
 SCREE_FUNCTION Real scree_hybrid_reach(Real h_bar, Real azimuth)
 {
     Real sine, cosine;
-    scree_sin_cos(azimuth, sine, cosine);
+    scree_sine_cosine(azimuth, sine, cosine);
     Real r = scree_orthographic_reach(h_bar, azimuth);
     return sqrt(r * (r + min(h_bar, LIT(1.0)) * abs(cosine)));
 }
@@ -321,7 +321,7 @@ SCREE_FUNCTION void scree_from_hybrid(Real h_bar, Real phi_h, Real k, Real phi_k
                                       OUT(Real, wiy), OUT(Real, wiz))
 {
     Real sine, cosine;
-    scree_sin_cos(phi_k - phi_h, sine, cosine);
+    scree_sine_cosine(phi_k - phi_h, sine, cosine);
     Real hz = sqrt(max((LIT(1.0) - h_bar) * (LIT(1.0) + h_bar) - k * k, LIT(0.0)));
     Real down = h_bar * cosine;
     Real length = sqrt(hz * hz + down * down);
@@ -353,6 +353,29 @@ SCREE_FUNCTION void scree_isotropic_coordinates(Real wox, Real woy, Real woz, Re
     phi_d = scree_angle(abs(k_across), abs(d_along));
     k_bar = sqrt(k_along * k_along + k_across * k_across);
     azimuth = scree_angle(abs(k_across), abs(k_along));
+}
+
+// --- lookups in tables ----------------------------------------------------------------------------
+
+/// Where the table of `scree table brdf` with its own axes (hybrid, angle, fitted) has a pair of
+/// directions.
+///
+/// x, y, z  in [0, 1]: x^2 and y times 90 degrees are the angles whose sines are |h_bar| and
+///          |k| / reach, z times 90 degrees is the azimuth. First and last texel of an axis are 0
+///          and 1, so n texels are looked up at (x (n - 1) + 1/2) / n.
+SCREE_FUNCTION void scree_hybrid_place(Real wox, Real woy, Real woz, Real wix, Real wiy, Real wiz,
+                                       OUT(Real, x), OUT(Real, y), OUT(Real, z))
+{
+    Real theta_h, theta_d, phi_d, h_bar, k_bar, k, azimuth;
+    scree_isotropic_coordinates(wox, woy, woz, wix, wiy, wiz, theta_h, theta_d, phi_d, h_bar, k_bar,
+                                k, azimuth);
+    Real per_quarter = LIT(0.636619772367581343);
+    Real h = min(h_bar, LIT(1.0));
+    x = sqrt(per_quarter * scree_angle(h, sqrt((LIT(1.0) - h) * (LIT(1.0) + h))));
+    // At the far end of h nothing is left of k: any share is right.
+    Real share = min(k / max(scree_hybrid_reach(h, azimuth), LIT(1.0e-12)), LIT(1.0));
+    y = per_quarter * scree_angle(share, sqrt((LIT(1.0) - share) * (LIT(1.0) + share)));
+    z = min(per_quarter * azimuth, LIT(1.0));
 }
 
 #endif

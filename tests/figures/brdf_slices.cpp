@@ -111,8 +111,8 @@ std::string isoline(const Slice& slice, const std::vector<double>& values, doubl
                 const auto ends = crossings({slice.spots[i], slice.spots[j], slice.spots[k]},
                                             {values[i], values[j], values[k]}, level);
                 if (ends.size() == 2)
-                    path += fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", ends[0].x, ends[0].y,
-                                        ends[1].x, ends[1].y);
+                    path += fmt::format("M{:.1f} {:.1f}l{:.1f} {:.1f}", ends[0].x, ends[0].y,
+                                        ends[1].x - ends[0].x, ends[1].y - ends[0].y);
             }
         }
     return path;

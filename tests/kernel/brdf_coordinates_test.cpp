@@ -45,11 +45,11 @@ TEST(BrdfCoordinates, AnglesAreThoseOfTheStandardLibrary)
     for (int i = -7000; i <= 7000; ++i) {
         const double angle = i * 1e-3;
         double sine = 0, cosine = 0;
-        kernel::scree_sin_cos(angle, sine, cosine);
+        kernel::scree_sine_cosine(angle, sine, cosine);
         ASSERT_NEAR(sine, std::sin(angle), 4e-16) << angle;
         ASSERT_NEAR(cosine, std::cos(angle), 4e-16) << angle;
         float sine32 = 0, cosine32 = 0;
-        kernel::scree_sin_cos(static_cast<float>(angle), sine32, cosine32);
+        kernel::scree_sine_cosine(static_cast<float>(angle), sine32, cosine32);
         ASSERT_NEAR(sine32, std::sin(static_cast<double>(static_cast<float>(angle))), 2e-7);
         ASSERT_NEAR(cosine32, std::cos(static_cast<double>(static_cast<float>(angle))), 2e-7);
         for (const double length : {1e-30, 1.0, 1e30}) {

@@ -1,6 +1,9 @@
 // BRDF coordinates as GLSL reads them.
 
+#include <fstream>
+
 #include "shaders/brdf_agreement.h"
+#include "shaders/doc_example.h"
 #include "shaders/gl_fixture.h"
 
 namespace scree::test {
@@ -23,6 +26,24 @@ TEST_P(Glsl, BrdfCoordinatesAgree)
         for (int k = 0; k < 4 * texels; ++k)
             answers[n][static_cast<size_t>(k)] = image.at(k / 4, static_cast<int>(n), k % 4);
     expect_brdf_agreement(cases, answers, "GLSL " + glsl_version(GetParam()));
+}
+
+TEST_P(Glsl, TheExampleOfBrdfTablesCompiles)
+{
+    const TempFolder temp;
+    std::ofstream(temp / "example.frag")
+        << doc_example("glsl", "brdf-parametrizations.md")
+        << "out vec4 result;\n"
+           "void main()\n"
+           "{\n"
+           "    vec3 w = normalize(vec3(gl_FragCoord.xy, 9.0));\n"
+           "    result = vec4(reflected(vec3(0.0, 0.0, 1.0), w), 1.0);\n"
+           "}\n";
+    EXPECT_NE(context().program({"tests/shaders/screen.vert"},
+                                {"src/kernel/prelude_glsl.h", "src/kernel/scree_filter.h",
+                                 "src/kernel/scree_brdf_coordinates.h",
+                                 (temp / "example.frag").string()}),
+              0U);
 }
 
 } // namespace

@@ -1,7 +1,13 @@
 // BRDF coordinates as Open Shading Language runs them.
 
+#include <cmath>
+#include <fstream>
+
 #include "shaders/brdf_agreement.h"
+#include "shaders/doc_example.h"
 #include "shaders/osl_fixture.h"
+#include "tables/brdf_table.h"
+#include "texset/table_file.h"
 
 namespace scree::test {
 namespace {
@@ -29,6 +35,38 @@ TEST_F(Osl, BrdfCoordinatesAgree)
         }
     }
     expect_brdf_agreement(cases, answers, "OSL");
+}
+
+std::string triple(const Imath::V3d& v)
+{
+    return std::to_string(v.x) + "," + std::to_string(v.y) + "," + std::to_string(v.z);
+}
+
+TEST_F(Osl, TheExampleOfBrdfTablesLooksUpWhatTheTableHolds)
+{
+    const BrdfGrid grid; // as the command makes it
+    const auto smooth = [](const filter::Directions<double>& w) {
+        return Rgbf{static_cast<float>(1 + w.wo.z * w.wi.z), static_cast<float>(w.wo.z + w.wi.z),
+                    static_cast<float>(2 + w.wo.dot(w.wi))};
+    };
+    const auto values = brdf_table(grid, smooth, [](double) {});
+    write_table(brdf_manifest(grid), values, temp_.path());
+    std::ofstream(temp_ / "brdf.osl") << doc_example("c", "brdf-parametrizations.md");
+    const RunResult compiled =
+        run(temp_.path(), {tools_.oslc.string(), "-I" SCREE_SOURCE "/src", "brdf.osl"});
+    ASSERT_EQ(compiled.status, 0) << compiled.said;
+    for (const double light : {0.1, 0.6, 1.2}) {
+        const filter::Directions<double> w{Imath::V3d(0.5, 0.3, 0.6).normalized(),
+                                           {std::sin(light), 0, std::cos(light)}};
+        const RunResult result =
+            shade(words("-g 1 1 --param:type=vector wo " + triple(w.wo) +
+                        " --param:type=vector wi " + triple(w.wi) + " -o found found.exr brdf"));
+        ASSERT_EQ(result.status, 0) << result.said;
+        const auto want = look_up(grid, values, 3, w);
+        for (int c = 0; c < 3; ++c)
+            // 2^-8 of a texel: how finely a texture unit tells places apart
+            EXPECT_NEAR(output("found").at(0, 0, c), want[static_cast<size_t>(c)], 1e-3) << light;
+    }
 }
 
 } // namespace

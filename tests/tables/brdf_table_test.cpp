@@ -88,6 +88,20 @@ TEST(BrdfGrid, LookUpIsLinearBetweenNodes)
     }
 }
 
+TEST(BrdfGrid, TheKernelFindsThePlaceInTheTableOfTheCommand)
+{
+    const BrdfGrid grid; // as the command makes it
+    for (const auto& [name, w] : direction_pairs()) {
+        const auto place = grid.place(w);
+        const auto kernel = filter::hybrid_place(w);
+        for (int axis = 0; axis < 3; ++axis) {
+            const size_t i = static_cast<size_t>(axis);
+            // Angles near 90 degrees by their sines.
+            EXPECT_NEAR(kernel[axis] * (grid.size[i] - 1), place[i], 1e-6) << name << ' ' << axis;
+        }
+    }
+}
+
 TEST(BrdfTable, HoldsTheFunctionAtItsNodes)
 {
     const auto brdf = [](const filter::Directions<double>& w) {
