@@ -6,11 +6,11 @@
 //
 //   h = (wi + wo) / 2,  k = (wi - wo) / 2     h . k = 0,  |h|^2 + |k|^2 = 1
 //
-// A bar is the part in the surface's plane; phi_h and phi_k are the azimuths of those parts. Not all
-// coordinates are of two directions above the surface: |k_z| <= h_z must hold. Of given h_bar (or
-// theta_h) and azimuths the k that do form an interval from 0; the functions named _reach have its
-// end, where one of the two directions is at the horizon. Beyond it the inverses move what would be
-// below the horizon up to it, so that they always give unit vectors with z >= 0.
+// A bar is the part in the surface's plane; phi_h and phi_k are the azimuths of those parts. Not
+// all coordinates are of two directions above the surface: |k_z| <= h_z must hold. Of given h_bar
+// (or theta_h) and azimuths the k that do form an interval from 0; the functions named _reach have
+// its end, where one of the two directions is at the horizon. Beyond it the inverses move what
+// would be below the horizon up to it, so that they always give unit vectors with z >= 0.
 //
 // Angles are in radians, in (-pi, pi]. The azimuth of a vector that has none is 0.
 //
@@ -19,7 +19,8 @@
 #ifndef SCREE_BRDF_COORDINATES_H
 #define SCREE_BRDF_COORDINATES_H
 
-// --- angles, in full precision of float or double -------------------------------------------------
+// --- angles, in full precision of float or double
+// -------------------------------------------------
 
 /// sin and cos to rounding (2e-16 in double), |angle| <= 7: two minimax polynomials on a quarter of
 /// the circle. Not the languages' own, which promise less than float holds.
@@ -85,7 +86,8 @@ SCREE_FUNCTION Real scree_angle(Real y, Real x)
     return y < LIT(0.0) ? -angle : angle;
 }
 
-// --- half and back vector -------------------------------------------------------------------------
+// --- half and back vector
+// -------------------------------------------------------------------------
 
 /// h and k of two directions, at right angles to each other as they are of exact unit vectors.
 ///
@@ -179,7 +181,8 @@ SCREE_FUNCTION void scree_from_half_frame(Real h_bar, Real hz, Real phi_h, Real 
                         woz);
 }
 
-// --- half/difference ------------------------------------------------------------------------------
+// --- half/difference
+// ------------------------------------------------------------------------------
 
 /// theta_h  in [0, pi/2], of h from the normal;  phi_h  its azimuth
 /// theta_d  in [0, pi/2], of wi from h;  phi_d  azimuth of wi about h, from the meridian of h down
@@ -227,7 +230,8 @@ SCREE_FUNCTION void scree_from_half_difference(Real theta_h, Real phi_h, Real th
                           k_length * sine, -down * lying, wox, woy, woz, wix, wiy, wiz);
 }
 
-// --- orthographic ---------------------------------------------------------------------------------
+// --- orthographic
+// ---------------------------------------------------------------------------------
 
 /// h_bar  |h_bar| in [0, 1];  phi_h  its azimuth
 /// k_bar  |k_bar| in [0, 1];  phi_k  its azimuth
@@ -279,7 +283,8 @@ SCREE_FUNCTION void scree_from_orthographic(Real h_bar, Real phi_h, Real k_bar, 
     scree_above_horizon(hx - kx, hy - ky, oz, wox, woy, woz);
 }
 
-// --- hybrid ---------------------------------------------------------------------------------------
+// --- hybrid
+// ---------------------------------------------------------------------------------------
 
 /// h_bar  |h_bar| in [0, 1];  phi_h  its azimuth
 /// k      |k| in [0, 1];  phi_k  azimuth of k
@@ -332,7 +337,8 @@ SCREE_FUNCTION void scree_from_hybrid(Real h_bar, Real phi_h, Real k, Real phi_k
                           wiy, wiz);
 }
 
-// --- isotropic reduction --------------------------------------------------------------------------
+// --- isotropic reduction
+// --------------------------------------------------------------------------
 
 /// What is left of the coordinates where neither turning the surface, nor a mirror image, nor a
 /// change of viewer and light makes a difference: phi_h dropped, the other azimuth, from phi_h,
@@ -355,7 +361,8 @@ SCREE_FUNCTION void scree_isotropic_coordinates(Real wox, Real woy, Real woz, Re
     azimuth = scree_angle(abs(k_across), abs(k_along));
 }
 
-// --- lookups in tables ----------------------------------------------------------------------------
+// --- lookups in tables
+// ----------------------------------------------------------------------------
 
 /// Where the table of `scree table brdf` with its own axes (hybrid, angle, fitted) has a pair of
 /// directions.
