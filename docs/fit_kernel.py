@@ -145,13 +145,24 @@ def fit_erfc(per_x=0.5, degree=7):
     show(f"exp(x^2) erfc(x) / t, t = 1 / (1 + {per_x} x)", worst, c=np.append(c, 1 - c.sum()))
 
 
+def fit_to_double(name, f, limit, terms):
+    """f in x^2, |x| <= limit: near the minimax, with digits to spare; the highest power first."""
+    c, worst = mp.chebyfit(lambda s: f(mp.sqrt(max(s, mp.mpf(10) ** -20))), [0, limit**2 * 1.0001],
+                           terms, error=True)
+    print(f"{name}: absolute error {mp.nstr(worst, 2)}")
+    print("    c =", ", ".join(mp.nstr(n, 18) for n in c))
+
+
 fit_fraction_rest()
 fit_visible_height()
 half = float(mp.log(2)) / 2 * 1.001
 fit_polynomial("(exp(r) - 1 - r) / r^2", lambda r: (mp.exp(r) - 1 - r) / r**2,
                half * np.cos(np.pi * (np.arange(400) + 0.5) / 400), 4)
-fit_polynomial("atan(q) / q in q^2", lambda x: mp.atan(mp.sqrt(x)) / mp.sqrt(x),
-               chebyshev(400) * 1.0001, 8)
+fit_to_double("(sin(x) / x - 1) / x^2", lambda x: (mp.sin(x) / x - 1) / x**2, mp.pi / 4, 6)
+fit_to_double("(cos(x) - 1 + x^2 / 2) / x^4", lambda x: (mp.cos(x) - 1 + x**2 / 2) / x**4,
+              mp.pi / 4, 6)
+fit_to_double("(atan(x) / x - 1) / x^2", lambda x: (mp.atan(x) / x - 1) / x**2,
+              mp.tan(mp.pi / 8), 11)
 
 
 # --- scree_k0.h ---------------------------------------------------------------------------------
@@ -192,8 +203,6 @@ def disk(x):
 
 fit_polynomial("atanh(s) / s in s^2", lambda x: mp.atanh(mp.sqrt(x)) / mp.sqrt(x),
                chebyshev(400) * 0.0295, 3)
-fit_polynomial("sin(2 pi t) / t in t^2", lambda x: mp.sin(2 * mp.pi * mp.sqrt(x)) / mp.sqrt(x),
-               chebyshev(400) * 0.062501, 5)
 fit_near("(I0(x) - 1) / x^2 in x^2", lambda x: (mp.besseli(0, x) - 1) / x**2,
          lambda x: (mp.besseli(0, x) - 1) / x**2, 6, 4)
 fit_near("I1(x) / x in x^2", lambda x: mp.besseli(1, x) / x, lambda x: mp.besseli(1, x) / x, 6, 4)
@@ -212,20 +221,3 @@ for order in (0, 1):
 
 
 fit_erfc()
-
-# --- scree_brdf_coordinates.h -------------------------------------------------------------------
-
-
-def fit_to_double(name, f, limit, terms):
-    """f in x^2, |x| <= limit: near the minimax, with digits to spare; the highest power first."""
-    c, worst = mp.chebyfit(lambda s: f(mp.sqrt(max(s, mp.mpf(10) ** -20))), [0, limit**2 * 1.0001],
-                           terms, error=True)
-    print(f"{name}: absolute error {mp.nstr(worst, 2)}")
-    print("    c =", ", ".join(mp.nstr(n, 18) for n in c))
-
-
-fit_to_double("(sin(x) / x - 1) / x^2", lambda x: (mp.sin(x) / x - 1) / x**2, mp.pi / 4, 6)
-fit_to_double("(cos(x) - 1 + x^2 / 2) / x^4", lambda x: (mp.cos(x) - 1 + x**2 / 2) / x**4,
-              mp.pi / 4, 6)
-fit_to_double("(atan(x) / x - 1) / x^2", lambda x: (mp.atan(x) / x - 1) / x**2,
-              mp.tan(mp.pi / 8), 11)

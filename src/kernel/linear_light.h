@@ -6,21 +6,13 @@
 
 #include "kernel/filter.h"
 
-#pragma push_macro("LIT")
-#pragma push_macro("OUT")
-#undef LIT
-#undef OUT
 #include "kernel/prelude_cpp.h"
 
 namespace scree::kernel {
 #include "kernel/scree_linear_light.h"
 }
 
-#undef SCREE_FUNCTION
-#undef LIT
-#undef OUT
-#pragma pop_macro("OUT")
-#pragma pop_macro("LIT")
+#include "kernel/prelude_cpp_end.h"
 
 namespace scree::filter {
 

@@ -1,6 +1,6 @@
 // What C++ needs to read scree_filter.h and the files that go with it: Real is a template
-// parameter, float or double. Include kernel/filter.h and its neighbours instead; each undefines
-// the macros again, so they are defined at every inclusion, and the rest only once.
+// parameter, float or double. Include kernel/filter.h and its neighbours instead: they take the
+// macros back (prelude_cpp_end.h), so those are defined at every inclusion, and the rest only once.
 
 #ifndef SCREE_PRELUDE_CPP
 #define SCREE_PRELUDE_CPP
@@ -119,6 +119,10 @@ using std::sqrt;
 
 #endif
 
+#pragma push_macro("LIT")
+#pragma push_macro("OUT")
+#undef LIT
+#undef OUT
 #define SCREE_FUNCTION                                                                             \
     template <typename Real>                                                                       \
     [[gnu::always_inline]] inline

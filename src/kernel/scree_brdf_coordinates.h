@@ -19,75 +19,7 @@
 #ifndef SCREE_BRDF_COORDINATES_H
 #define SCREE_BRDF_COORDINATES_H
 
-// --- angles, in full precision of float or double
-// -------------------------------------------------
-
-/// sin and cos to rounding (2e-16 in double), |angle| <= 7: two minimax polynomials on a quarter of
-/// the circle. Not the languages' own, which promise less than float holds.
-SCREE_FUNCTION void scree_sine_cosine(Real angle, OUT(Real, sine), OUT(Real, cosine))
-{
-    Real a = abs(angle);
-    Real quarters = LIT(0.0);
-    quarters = a > LIT(0.785398163397448310) ? LIT(1.0) : quarters;
-    quarters = a > LIT(2.35619449019234493) ? LIT(2.0) : quarters;
-    quarters = a > LIT(3.92699081698724155) ? LIT(3.0) : quarters;
-    quarters = a > LIT(5.49778714378213817) ? LIT(4.0) : quarters;
-    // pi / 2 in two parts, the first with so few digits that its product is exact.
-    Real r = (a - quarters * LIT(1.5703125)) - quarters * LIT(0.000483826794896619231);
-    Real rr = r * r;
-    Real s = LIT(1.59181152632659752e-10);
-    s = s * rr - LIT(2.50511316502351815e-8);
-    s = s * rr + LIT(2.75573161016178744e-6);
-    s = s * rr - LIT(0.000198412698367567725);
-    s = s * rr + LIT(0.00833333333333094729);
-    s = s * rr - LIT(0.166666666666666646);
-    s = r + r * rr * s;
-    Real c = LIT(-1.13826236474746046e-11);
-    c = c * rr + LIT(2.08761461465586116e-9);
-    c = c * rr - LIT(2.7557317271145146e-7);
-    c = c * rr + LIT(0.0000248015872987645608);
-    c = c * rr - LIT(0.00138888888888873965);
-    c = c * rr + LIT(0.0416666666666666654);
-    c = LIT(1.0) - rr * (LIT(0.5) - rr * c);
-    Real first = quarters == LIT(1.0) || quarters == LIT(3.0) ? c : s;
-    Real second = quarters == LIT(1.0) || quarters == LIT(3.0) ? s : c;
-    sine = quarters >= LIT(2.0) && quarters < LIT(4.0) ? -first : first;
-    sine = angle < LIT(0.0) ? -sine : sine;
-    cosine = quarters == LIT(1.0) || quarters == LIT(2.0) ? -second : second;
-}
-
-/// Angle of (x, y) in (-pi, pi], to rounding; 0 for (0, 0). scree_atan2 is shorter, to 2e-8.
-SCREE_FUNCTION Real scree_angle(Real y, Real x)
-{
-    Real ax = abs(x);
-    Real ay = abs(y);
-    Real longer = max(ax, ay);
-    Real shorter = min(ax, ay);
-    // atan(q) = pi / 4 - atan((1 - q) / (1 + q)) above tan(pi / 8)
-    Real turn = shorter > LIT(0.414213562373095049) * longer ? LIT(0.785398163397448310) : LIT(0.0);
-    Real part = turn > LIT(0.0) ? shorter - longer : shorter;
-    Real whole = turn > LIT(0.0) ? shorter + longer : longer;
-    Real q = whole > LIT(0.0) ? part / whole : LIT(0.0);
-    Real qq = q * q;
-    Real p = LIT(-0.0191754047111049337);
-    p = p * qq + LIT(0.0392304477847930952);
-    p = p * qq - LIT(0.0508540783458948426);
-    p = p * qq + LIT(0.0585814090486632828);
-    p = p * qq - LIT(0.066645105255089366);
-    p = p * qq + LIT(0.0769218312537689209);
-    p = p * qq - LIT(0.0909090457530648908);
-    p = p * qq + LIT(0.111111110151870187);
-    p = p * qq - LIT(0.142857142846656808);
-    p = p * qq + LIT(0.199999999999955165);
-    p = p * qq - LIT(0.333333333333333302);
-    Real angle = turn + (q + q * qq * p);
-    angle = ay > ax ? LIT(1.57079632679489662) - angle : angle;
-    angle = x < LIT(0.0) ? LIT(3.14159265358979324) - angle : angle;
-    return y < LIT(0.0) ? -angle : angle;
-}
-
-// --- half and back vector
-// -------------------------------------------------------------------------
+// --- half and back vector ------------------------------------------------------------------------
 
 /// h and k of two directions, at right angles to each other as they are of exact unit vectors.
 ///
@@ -181,8 +113,7 @@ SCREE_FUNCTION void scree_from_half_frame(Real h_bar, Real hz, Real phi_h, Real 
                         woz);
 }
 
-// --- half/difference
-// ------------------------------------------------------------------------------
+// --- half/difference -----------------------------------------------------------------------------
 
 /// theta_h  in [0, pi/2], of h from the normal;  phi_h  its azimuth
 /// theta_d  in [0, pi/2], of wi from h;  phi_d  azimuth of wi about h, from the meridian of h down
@@ -196,10 +127,10 @@ SCREE_FUNCTION void scree_to_half_difference(Real wox, Real woy, Real woz, Real 
     Real h_bar, hz, cos_h, sin_h, h_length, k_length, k_along, k_across, d_along;
     scree_half_frame(wox, woy, woz, wix, wiy, wiz, h_bar, hz, cos_h, sin_h, h_length, k_length,
                      k_along, k_across, d_along);
-    theta_h = scree_angle(h_bar, hz);
-    phi_h = scree_angle(sin_h, cos_h);
-    theta_d = scree_angle(k_length, h_length);
-    phi_d = scree_angle(k_across, d_along);
+    theta_h = scree_atan2(h_bar, hz);
+    phi_h = scree_atan2(sin_h, cos_h);
+    theta_d = scree_atan2(k_length, h_length);
+    phi_d = scree_atan2(k_across, d_along);
 }
 
 /// The largest theta_d of two directions above the surface: tan = 1 / (tan theta_h |cos phi_d|).
@@ -210,7 +141,7 @@ SCREE_FUNCTION Real scree_half_difference_reach(Real theta_h, Real phi_d)
     scree_sine_cosine(phi_d, sin_d, cos_d);
     // k across h stays in the plane, h at the horizon too: pi/2, whatever cos(pi/2) is rounded to.
     Real along = abs(cos_d) > LIT(1.0e-7) ? sin_h * abs(cos_d) : LIT(0.0);
-    return scree_angle(max(cos_h, LIT(1.0e-30)), along);
+    return scree_atan2(max(cos_h, LIT(1.0e-30)), along);
 }
 
 /// Directions of half/difference coordinates, theta_h and theta_d in [0, pi/2].
@@ -230,8 +161,7 @@ SCREE_FUNCTION void scree_from_half_difference(Real theta_h, Real phi_h, Real th
                           k_length * sine, -down * lying, wox, woy, woz, wix, wiy, wiz);
 }
 
-// --- orthographic
-// ---------------------------------------------------------------------------------
+// --- orthographic --------------------------------------------------------------------------------
 
 /// h_bar  |h_bar| in [0, 1];  phi_h  its azimuth
 /// k_bar  |k_bar| in [0, 1];  phi_k  its azimuth
@@ -243,9 +173,9 @@ SCREE_FUNCTION void scree_to_orthographic(Real wox, Real woy, Real wix, Real wiy
 {
     Real cosine, sine;
     scree_azimuth(LIT(0.5) * (wix + wox), LIT(0.5) * (wiy + woy), h_bar, cosine, sine);
-    phi_h = scree_angle(sine, cosine);
+    phi_h = scree_atan2(sine, cosine);
     scree_azimuth(LIT(0.5) * (wix - wox), LIT(0.5) * (wiy - woy), k_bar, cosine, sine);
-    phi_k = scree_angle(sine, cosine);
+    phi_k = scree_atan2(sine, cosine);
 }
 
 /// The largest |k_bar| of two directions above the surface, azimuth = phi_k - phi_h.
@@ -283,8 +213,7 @@ SCREE_FUNCTION void scree_from_orthographic(Real h_bar, Real phi_h, Real k_bar, 
     scree_above_horizon(hx - kx, hy - ky, oz, wox, woy, woz);
 }
 
-// --- hybrid
-// ---------------------------------------------------------------------------------------
+// --- hybrid --------------------------------------------------------------------------------------
 
 /// h_bar  |h_bar| in [0, 1];  phi_h  its azimuth
 /// k      |k| in [0, 1];  phi_k  azimuth of k
@@ -298,9 +227,9 @@ SCREE_FUNCTION void scree_to_hybrid(Real wox, Real woy, Real woz, Real wix, Real
     Real hx, hy, hz, kx, ky, kz, k_bar, cosine, sine;
     scree_half_and_back(wox, woy, woz, wix, wiy, wiz, hx, hy, hz, kx, ky, kz);
     scree_azimuth(hx, hy, h_bar, cosine, sine);
-    phi_h = scree_angle(sine, cosine);
+    phi_h = scree_atan2(sine, cosine);
     scree_azimuth(kx, ky, k_bar, cosine, sine);
-    phi_k = scree_angle(sine, cosine);
+    phi_k = scree_atan2(sine, cosine);
     k = sqrt(kx * kx + ky * ky + kz * kz);
 }
 
@@ -337,8 +266,7 @@ SCREE_FUNCTION void scree_from_hybrid(Real h_bar, Real phi_h, Real k, Real phi_k
                           wiy, wiz);
 }
 
-// --- isotropic reduction
-// --------------------------------------------------------------------------
+// --- isotropic reduction -------------------------------------------------------------------------
 
 /// What is left of the coordinates where neither turning the surface, nor a mirror image, nor a
 /// change of viewer and light makes a difference: phi_h dropped, the other azimuth, from phi_h,
@@ -354,15 +282,14 @@ SCREE_FUNCTION void scree_isotropic_coordinates(Real wox, Real woy, Real woz, Re
     Real hz, cos_h, sin_h, h_length, k_along, k_across, d_along;
     scree_half_frame(wox, woy, woz, wix, wiy, wiz, h_bar, hz, cos_h, sin_h, h_length, k, k_along,
                      k_across, d_along);
-    theta_h = scree_angle(h_bar, hz);
-    theta_d = scree_angle(k, h_length);
-    phi_d = scree_angle(abs(k_across), abs(d_along));
+    theta_h = scree_atan2(h_bar, hz);
+    theta_d = scree_atan2(k, h_length);
+    phi_d = scree_atan2(abs(k_across), abs(d_along));
     k_bar = sqrt(k_along * k_along + k_across * k_across);
-    azimuth = scree_angle(abs(k_across), abs(k_along));
+    azimuth = scree_atan2(abs(k_across), abs(k_along));
 }
 
-// --- lookups in tables
-// ----------------------------------------------------------------------------
+// --- lookups in tables ---------------------------------------------------------------------------
 
 /// Where the table of `scree table brdf` with its own axes (hybrid, angle, fitted) has a pair of
 /// directions.
@@ -378,10 +305,10 @@ SCREE_FUNCTION void scree_hybrid_place(Real wox, Real woy, Real woz, Real wix, R
                                 k, azimuth);
     Real per_quarter = LIT(0.636619772367581343);
     Real h = min(h_bar, LIT(1.0));
-    x = sqrt(per_quarter * scree_angle(h, sqrt((LIT(1.0) - h) * (LIT(1.0) + h))));
+    x = sqrt(per_quarter * scree_atan2(h, sqrt((LIT(1.0) - h) * (LIT(1.0) + h))));
     // At the far end of h nothing is left of k: any share is right.
     Real share = min(k / max(scree_hybrid_reach(h, azimuth), LIT(1.0e-12)), LIT(1.0));
-    y = per_quarter * scree_angle(share, sqrt((LIT(1.0) - share) * (LIT(1.0) + share)));
+    y = per_quarter * scree_atan2(share, sqrt((LIT(1.0) - share) * (LIT(1.0) + share)));
     z = min(per_quarter * azimuth, LIT(1.0));
 }
 

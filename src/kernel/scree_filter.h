@@ -119,27 +119,64 @@ SCREE_FUNCTION Real scree_normal_pdf(Real y)
     return (LIT(0.398942280401432678) * power) * scree_exp_small(r);
 }
 
-/// Angle of (x, y) in (-pi, pi] to 2e-8 or rounding; 0 for (0, 0).
+/// Angle of (x, y) in (-pi, pi], to rounding; 0 for (0, 0).
 SCREE_FUNCTION Real scree_atan2(Real y, Real x)
 {
     Real ax = abs(x);
     Real ay = abs(y);
     Real longer = max(ax, ay);
-    Real q = longer > LIT(0.0) ? min(ax, ay) / longer : LIT(0.0);
+    Real shorter = min(ax, ay);
+    // atan(q) = pi / 4 - atan((1 - q) / (1 + q)) above tan(pi / 8)
+    Real turn = shorter > LIT(0.414213562373095049) * longer ? LIT(0.785398163397448310) : LIT(0.0);
+    Real part = turn > LIT(0.0) ? shorter - longer : shorter;
+    Real whole = turn > LIT(0.0) ? shorter + longer : longer;
+    Real q = whole > LIT(0.0) ? part / whole : LIT(0.0);
     Real qq = q * q;
-    Real p = LIT(0.0028491431148245493);
-    p = p * qq - LIT(0.01606581695364984);
-    p = p * qq + LIT(0.04268723284334125);
-    p = p * qq - LIT(0.07503955826736594);
-    p = p * qq + LIT(0.1064078651679086);
-    p = p * qq - LIT(0.1420360979242819);
-    p = p * qq + LIT(0.19992615417741746);
-    p = p * qq - LIT(0.3333307317305716);
-    p = p * qq + LIT(0.9999999847536909);
-    Real angle = q * p;
+    Real p = LIT(-0.0191754047111049337);
+    p = p * qq + LIT(0.0392304477847930952);
+    p = p * qq - LIT(0.0508540783458948426);
+    p = p * qq + LIT(0.0585814090486632828);
+    p = p * qq - LIT(0.066645105255089366);
+    p = p * qq + LIT(0.0769218312537689209);
+    p = p * qq - LIT(0.0909090457530648908);
+    p = p * qq + LIT(0.111111110151870187);
+    p = p * qq - LIT(0.142857142846656808);
+    p = p * qq + LIT(0.199999999999955165);
+    p = p * qq - LIT(0.333333333333333302);
+    Real angle = turn + (q + q * qq * p);
     angle = ay > ax ? LIT(1.57079632679489662) - angle : angle;
     angle = x < LIT(0.0) ? LIT(3.14159265358979324) - angle : angle;
     return y < LIT(0.0) ? -angle : angle;
+}
+
+/// sin and cos to rounding (2e-16 in double), |angle| <= 20: two minimax polynomials on a quarter
+/// of the circle. Not the languages' own, which promise less than float holds.
+SCREE_FUNCTION void scree_sine_cosine(Real angle, OUT(Real, sine), OUT(Real, cosine))
+{
+    Real quarters = floor(angle * LIT(0.636619772367581343) + LIT(0.5));
+    // pi / 2 in two parts, the first with so few digits that its product is exact.
+    Real r = (angle - quarters * LIT(1.5703125)) - quarters * LIT(0.000483826794896619231);
+    Real rr = r * r;
+    Real s = LIT(1.59181152632659752e-10);
+    s = s * rr - LIT(2.50511316502351815e-8);
+    s = s * rr + LIT(2.75573161016178744e-6);
+    s = s * rr - LIT(0.000198412698367567725);
+    s = s * rr + LIT(0.00833333333333094729);
+    s = s * rr - LIT(0.166666666666666646);
+    s = r + r * rr * s;
+    Real c = LIT(-1.13826236474746046e-11);
+    c = c * rr + LIT(2.08761461465586116e-9);
+    c = c * rr - LIT(2.7557317271145146e-7);
+    c = c * rr + LIT(0.0000248015872987645608);
+    c = c * rr - LIT(0.00138888888888873965);
+    c = c * rr + LIT(0.0416666666666666654);
+    c = LIT(1.0) - rr * (LIT(0.5) - rr * c);
+    Real quarter = quarters - LIT(4.0) * floor(quarters * LIT(0.25));
+    Real odd = abs(quarter - LIT(2.0)); // 1 for quarters 1 and 3
+    sine = odd == LIT(1.0) ? c : s;
+    cosine = odd == LIT(1.0) ? s : c;
+    sine = quarter >= LIT(2.0) ? -sine : sine;
+    cosine = quarter == LIT(1.0) || quarter == LIT(2.0) ? -cosine : cosine;
 }
 
 // --- from filtered moments ----------------------------------------------------------------------

@@ -35,29 +35,6 @@ SCREE_FUNCTION Real scree_log(Real x)
     return n * LIT(0.693359375) + (LIT(2.0) * s * p - n * LIT(0.000212194440054690583));
 }
 
-/// Cosine and sine of 2 pi u, u in [0, 1], to 2e-8 absolute or rounding.
-SCREE_FUNCTION void scree_turn(Real u, OUT(Real, cosine), OUT(Real, sine))
-{
-    Real from_half = u - LIT(0.5);
-    Real of_cosine = LIT(0.25) - abs(from_half);
-    Real of_sine = LIT(0.25) - abs(of_cosine);
-    Real cc = of_cosine * of_cosine;
-    Real ss = of_sine * of_sine;
-    Real p = LIT(-14.38137814463687);
-    p = p * cc + LIT(42.00779529266057);
-    p = p * cc - LIT(76.70417015795508);
-    p = p * cc + LIT(81.60522368815387);
-    p = p * cc - LIT(41.34170209691125);
-    cosine = -of_cosine * (p * cc + LIT(6.283185307046673));
-    Real q = LIT(-14.38137814463687);
-    q = q * ss + LIT(42.00779529266057);
-    q = q * ss - LIT(76.70417015795508);
-    q = q * ss + LIT(81.60522368815387);
-    q = q * ss - LIT(41.34170209691125);
-    q = of_sine * (q * ss + LIT(6.283185307046673));
-    sine = from_half < LIT(0.0) ? q : -q;
-}
-
 // Bessel functions come as a value and a growth, F(x) = value exp(growth), so that products of
 // large and small ones stay in range. For small x growth is 0 and the value a minimax polynomial in
 // x^2, for K with the logarithm apart; beyond, sqrt(x) times the value is a ratio of polynomials in
@@ -382,7 +359,7 @@ SCREE_FUNCTION void scree_k0_sample(Real u1, Real u2, Real u3, Real ms, Real mt,
     Real per_b, us, ut, ps, pt, cosine, sine;
     scree_slope_axes(LIT(0.0), LIT(0.0), css, cst, ctt, per_b, us, ut, ps, pt);
     Real d = sqrt(LIT(2.0) * scree_exponential(u1) * scree_exponential(u2));
-    scree_turn(u3, cosine, sine);
+    scree_sine_cosine(LIT(6.28318530717958648) * u3, sine, cosine);
     s = ms + d * (cosine * us + sine * ps);
     t = mt + d * (cosine * ut + sine * pt);
 }
@@ -449,7 +426,7 @@ SCREE_FUNCTION void scree_k0_sample_visible(Real u1, Real u2, Real u3, Real u4, 
     Real z = per_b < LIT(1.0e18) ? scree_facing(wx, wy, wz, ms, mt) * per_b : LIT(1.0e18);
     Real x = scree_k0_visible_along(z, u1, u2);
     Real radius = sqrt(LIT(2.0) * scree_exponential(u3));
-    scree_turn(u4, cosine, sine);
+    scree_sine_cosine(LIT(6.28318530717958648) * u4, sine, cosine);
     Real v = scree_k0_deviation(x, radius * cosine, u5) * (radius * sine);
     s = ms + (x * us + v * ps);
     t = mt + (x * ut + v * pt);

@@ -157,27 +157,6 @@ SCREE_FUNCTION void scree_linear_cone_coordinates(Real cos_v, Real na, Real nb, 
 
 // --- the integral -------------------------------------------------------------------------------
 
-/// Sine and cosine of |x| <= 20, to 3e-7: no language promises as much of its own.
-SCREE_FUNCTION void scree_sin_cos(Real x, OUT(Real, sine), OUT(Real, cosine))
-{
-    Real turns = floor(x * LIT(0.636619772367581343) + LIT(0.5)); // quarter turns
-    Real r = (x - turns * LIT(1.5703125)) - turns * LIT(4.83826794896619231e-4);
-    Real rr = r * r;
-    Real s = LIT(2.75573192e-6) * rr - LIT(1.98412698e-4);
-    s = s * rr + LIT(0.00833333333333);
-    s = s * rr - LIT(0.166666666666667);
-    s = r + r * rr * s;
-    Real c = LIT(2.48015873e-5) * rr - LIT(0.00138888888889);
-    c = c * rr + LIT(0.0416666666666667);
-    c = LIT(1.0) + rr * (c * rr - LIT(0.5));
-    Real quadrant = turns - LIT(4.0) * floor(turns * LIT(0.25));
-    Real odd = abs(quadrant - LIT(2.0)); // 1 for quadrants 1 and 3
-    sine = odd == LIT(1.0) ? c : s;
-    cosine = odd == LIT(1.0) ? s : c;
-    sine = quadrant >= LIT(2.0) ? -sine : sine;
-    cosine = quadrant == LIT(1.0) || quadrant == LIT(2.0) ? -cosine : cosine;
-}
-
 /// erfc(x) for x >= 0, to 6e-6 relative; 0 where scree_exp_minus is. Constants: docs/fit_kernel.py.
 SCREE_FUNCTION Real scree_erfc(Real x)
 {
@@ -385,7 +364,7 @@ SCREE_FUNCTION void scree_linear_frame(Real fx, Real fy, Real fz, Real tx, Real 
 SCREE_FUNCTION Real scree_linear_terms(Real phi, Real vn, Real nu, Real ne, Real su, Real se)
 {
     Real sine, cosine;
-    scree_sin_cos(phi, sine, cosine);
+    scree_sine_cosine(phi, sine, cosine);
     Real ln = max(cosine * nu + sine * ne, LIT(0.0));
     return sqrt(ln / max(vn, LIT(1.0e-6))) * max(-(cosine * su + sine * se), LIT(0.0));
 }
@@ -413,7 +392,7 @@ SCREE_FUNCTION Real scree_linear_reflection(Real sin_v, Real cos_v, Real nu, Rea
     Real vn = sin_v * nu + cos_v * nw;
     if (last > first && vn > LIT(0.0)) {
         Real sine, cosine;
-        scree_sin_cos(phi, sine, cosine);
+        scree_sine_cosine(phi, sine, cosine);
         Real curved = scree_linear_curved_k(k, tan2, vn, cosine * nu + sine * ne);
         Real centre = LIT(0.0);
         Real lobe = scree_linear_integral(first, last, phi, curved, tan2, sigma2, centre);
@@ -428,7 +407,7 @@ SCREE_FUNCTION Real scree_linear_integrand(Real phi, Real sin_v, Real cos_v, Rea
                                            Real nw, Real su, Real se, Real sigma2)
 {
     Real sine, cosine;
-    scree_sin_cos(phi, sine, cosine);
+    scree_sine_cosine(phi, sine, cosine);
     Real hu = cosine + sin_v;
     Real vn = sin_v * nu + cos_v * nw;
     Real ln = cosine * nu + sine * ne;
@@ -463,7 +442,7 @@ SCREE_FUNCTION Real scree_linear_quadrature(Real sin_v, Real cos_v, Real nu, Rea
         Real nearest = middle + scree_periodic_angle(phi - middle);
         Real at = min(max(nearest, first), last);
         Real sine, cosine;
-        scree_sin_cos(phi, sine, cosine);
+        scree_sine_cosine(phi, sine, cosine);
         Real curved = scree_linear_curved_k(k, tan2, vn, cosine * nu + sine * ne);
         Real reach = LIT(3.0) * sqrt(sigma2) / curved + LIT(4.0) * sigma2;
         Real low = max(first, at - reach);

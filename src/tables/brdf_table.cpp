@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cstddef>
 
 namespace scree {
 
@@ -17,7 +16,7 @@ std::vector<float> brdf_table(const BrdfGrid& grid, const BrdfFunction& brdf,
         float* first = values.data() + 3 * width * static_cast<size_t>(row);
         tbb::parallel_for(0, grid.size[0], [&](int i) {
             const Rgbf value = brdf(grid.directions(i, row % grid.size[1], row / grid.size[1]));
-            std::copy(value.begin(), value.end(), first + ptrdiff_t{3} * i);
+            std::copy(value.begin(), value.end(), first + 3 * static_cast<size_t>(i));
         });
         progress(static_cast<double>(row + 1) / rows);
     }

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "math/error.h"
 #include "texset/json_object.h"
+#include "texset/manifest_file.h"
 
 namespace scree {
 
@@ -101,7 +100,12 @@ TableManifest manifest_of(const std::string& text)
         axis.get("unit", out.unit);
         axis.get("meaning", out.meaning);
         axis.get("coordinates", out.coordinates);
+        if (out.coordinates.empty())
+            throw Error(
+                fmt::format("axis '{}' has no coordinates; is the file damaged?", out.name));
     }
+    if (manifest.axes.empty())
+        throw Error("has no axes; is the file damaged?");
     for (const JsonObject& channel : json.objects("channels")) {
         TableChannel& out = manifest.channels.emplace_back();
         channel.get("name", out.name);
@@ -111,35 +115,6 @@ TableManifest manifest_of(const std::string& text)
     }
     manifest.figures = figures_of(parsed);
     return manifest;
-}
-
-bool is_manifest(const fs::path& file)
-{
-    const std::string name = file.filename().string();
-    const std::string suffix = kSuffix;
-    return name.size() > suffix.size() &&
-           name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
-}
-
-fs::path manifest_file(const fs::path& table)
-{
-    std::error_code failed;
-    if (!fs::exists(table, failed))
-        throw Error(fmt::format("{}: no such folder or manifest", table.string()));
-    if (!fs::is_directory(table))
-        return table;
-    std::vector<fs::path> found;
-    for (const auto& entry : fs::directory_iterator(table, failed))
-        if (is_manifest(entry.path()))
-            found.push_back(entry.path());
-    if (failed)
-        throw Error(fmt::format("{}: {}", table.string(), failed.message()));
-    if (found.empty())
-        throw Error(fmt::format("{}: no table here (no *{})", table.string(), kSuffix));
-    if (found.size() > 1)
-        throw Error(
-            fmt::format("{}: {} tables here; name one of them", table.string(), found.size()));
-    return found.front();
 }
 
 } // namespace
@@ -157,24 +132,15 @@ int TableManifest::height() const
 void write_table_manifest(const TableManifest& manifest, const fs::path& folder)
 {
     const fs::path path = folder / (manifest.kind + kSuffix);
-    std::ofstream file(path, std::ios::binary);
-    file << to_json(manifest);
-    file.close();
-    if (!file)
-        throw Error(fmt::format("{}: cannot write the manifest; is there room on the disk?",
-                                path.string()));
+    write_manifest_file(path, to_json(manifest));
 }
 
 TableManifest read_table_manifest(const fs::path& table)
 {
-    const fs::path path = manifest_file(table);
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-        throw Error(fmt::format("{}: cannot be opened", path.string()));
-    std::stringstream text;
-    text << file.rdbuf();
+    const fs::path path = find_manifest(table, kSuffix, "table");
+    const std::string text = read_manifest_file(path);
     try {
-        return manifest_of(text.str());
+        return manifest_of(text);
     } catch (const Error& e) {
         throw Error(fmt::format("{}: {}", path.string(), e.what()));
     }
@@ -183,7 +149,7 @@ TableManifest read_table_manifest(const fs::path& table)
 std::set<std::string> files_of_table(const fs::path& folder)
 {
     try {
-        const fs::path path = manifest_file(folder);
+        const fs::path path = find_manifest(folder, kSuffix, "table");
         return {path.filename().string(), read_table_manifest(path).texture_file()};
     } catch (const Error&) {
         return {}; // no table, or none we can read: not ours to replace

@@ -50,6 +50,7 @@ void print_size(const std::array<int, 3>& size, const std::vector<BrdfMaterial>&
                     materials[m], {kParametrizations[p], size, axes.spacing, axes.fitted}, regions,
                     truth[m]);
             std::vector<std::string> row = {materials[m].name, axes.words};
+            row.reserve(row.size() + errors.size() * regions.size());
             for (size_t r = 0; r < regions.size(); ++r)
                 for (const auto& of : errors)
                     row.push_back(fmt::format("{:.1f}", 100 * of[r]));
@@ -62,6 +63,7 @@ void run(const std::string& data)
     const auto materials = brdf_materials(data);
     const auto regions = brdf_regions();
     std::vector<RegionValues> truth;
+    truth.reserve(materials.size());
     for (const BrdfMaterial& material : materials)
         truth.push_back(true_values(material, regions));
     print_size({16, 16, 8}, materials, regions, truth);

@@ -67,22 +67,6 @@ TYPED_TEST(K0Functions, LogarithmKeepsItsDigitsNearOneToo)
     EXPECT_EQ(kernel::scree_log(Real(1)), Real(0));
 }
 
-// Absolute: near the zeros of cosine and sine the rounding of u is a rounding of the angle.
-TYPED_TEST(K0Functions, CosineAndSineOfATurn)
-{
-    using Real = TypeParam;
-    double worst = 0;
-    for (int i = 0; i <= 4096; ++i) {
-        const Real u = static_cast<Real>(i) / Real(4096);
-        Real c = 0, s = 0;
-        kernel::scree_turn(u, c, s);
-        const double angle = 2 * std::acos(-1.0) * static_cast<double>(u);
-        worst = std::max({worst, std::abs(static_cast<double>(c) - std::cos(angle)),
-                          std::abs(static_cast<double>(s) - std::sin(angle))});
-    }
-    EXPECT_LE(worst, this->kSingle ? 2e-7 : 1e-9);
-}
-
 // K0 and K1 over (0, 80]: beyond, exp(-x) ends in single precision.
 TYPED_TEST(K0Functions, BesselK)
 {

@@ -294,6 +294,7 @@ TYPED_TEST(K0Samples, DeviationOfTheMixtureFollowsItsLawGivenTheSlope)
 {
     using Real = TypeParam;
     unsigned seed = 400;
+    const Real kTurn = static_cast<Real>(2 * std::acos(-1.0));
     for (const double x : {0.0, 1e-4, 0.1, 1.0, -1.0, 6.0, 300.0}) {
         Numbers<Real> numbers(++seed);
         const double middle = std::sqrt(std::abs(x) / std::sqrt(2.0));
@@ -305,7 +306,7 @@ TYPED_TEST(K0Samples, DeviationOfTheMixtureFollowsItsLawGivenTheSlope)
                                [&] {
                                    const Real u = numbers(), turn = numbers(), choice = numbers();
                                    Real c = 0, s = 0;
-                                   kernel::scree_turn(turn, c, s);
+                                   kernel::scree_sine_cosine(kTurn * turn, s, c);
                                    const Real gauss =
                                        std::sqrt(2 * kernel::scree_exponential(u)) * c;
                                    return static_cast<double>(kernel::scree_k0_deviation(

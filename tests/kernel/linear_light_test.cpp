@@ -65,17 +65,6 @@ void look_at_scenes(int count, double sigma2, const Look& look)
     }
 }
 
-TEST(LinearLight, SineAndCosine)
-{
-    for (int i = -4000; i <= 4000; ++i) {
-        const float x = 0.005F * static_cast<float>(i);
-        float sine = 0, cosine = 0;
-        kernel::scree_sin_cos(x, sine, cosine);
-        EXPECT_NEAR(sine, std::sin(static_cast<double>(x)), 3e-7) << x; // 5 roundings of 1 at worst
-        EXPECT_NEAR(cosine, std::cos(static_cast<double>(x)), 3e-7) << x;
-    }
-}
-
 TEST(LinearLight, ErrorFunction)
 {
     for (int i = 0; i <= 2600; ++i) {

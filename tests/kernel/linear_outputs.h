@@ -16,7 +16,7 @@ SCREE_FUNCTION void linear_outputs(Real fx, Real fy, Real fz, Real tx, Real ty, 
     scree_linear_frame(fx, fy, fz, tx, ty, tz, nx, ny, nz, vx, vy, vz, ux, uy, uz, ex, ey, ez, wx,
                        wy, wz, first, last, distance);
     width = last - first;
-    scree_sin_cos(first, first_sine, first_cosine);
+    scree_sine_cosine(first, first_sine, first_cosine);
     Real sin_v = vx * ux + vy * uy + vz * uz;
     cos_v = max(vx * wx + vy * wy + vz * wz, LIT(0.0));
     normal_u = nx * ux + ny * uy + nz * uz;
@@ -28,7 +28,7 @@ SCREE_FUNCTION void linear_outputs(Real fx, Real fy, Real fz, Real tx, Real ty, 
     Real phi = LIT(0.0);
     Real tan2 = LIT(0.0);
     scree_linear_peak(sin_v, cos_v, normal_u, normal_e, normal_w, 4, phi, k, tan2);
-    scree_sin_cos(phi, phi_sine, phi_cosine);
+    scree_sine_cosine(phi, phi_sine, phi_cosine);
     cos2 = LIT(1.0) / (LIT(1.0) + tan2);
     k = k * sqrt(cos2); // without bound where the half vector is across the normal
 

@@ -113,7 +113,7 @@ TEST(BrdfTable, HoldsTheFunctionAtItsNodes)
         EXPECT_EQ(told, 1);
         ASSERT_EQ(values.size(), 3 * grid.nodes());
         const auto w = grid.directions(2, 1, 1);
-        const size_t node = 3 * ((1 * 4 + 1) * 5 + 2);
+        const size_t node = 3 * ((1 * 4 + 1) * size_t{5} + 2);
         EXPECT_EQ(values[node], static_cast<float>(w.wo.z * w.wi.z)) << text(grid);
         EXPECT_EQ(values[node + 2], 1);
         const TableManifest manifest = brdf_manifest(grid);

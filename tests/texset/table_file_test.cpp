@@ -98,6 +98,18 @@ TEST(TableFile, ADamagedManifestIsNamedAndItsFolderNotReplaced)
     EXPECT_THROW(StagedFolder{temp.path()}, Error);
 }
 
+TEST(TableFile, AManifestWithoutAxesOrCoordinatesIsDamaged)
+{
+    const TempFolder temp;
+    const std::string head = R"({"format": "scree table", "version": 1, "program": "scree 1",)"
+                             R"("kind": "some", "description": "", "channels": [], "axes": )";
+    for (const std::string axes :
+         {"[]", R"([{"name": "q", "unit": "1", "meaning": "", "coordinates": []}])"}) {
+        std::ofstream(temp / "some.scree-table.json") << head << axes << "}";
+        EXPECT_THROW(read_table_manifest(temp.path()), Error) << axes;
+    }
+}
+
 TEST(TableFile, ATableIsReplacedByAnotherButNotWithWhatElseLiesThere)
 {
     const TempFolder temp;
