@@ -9,6 +9,7 @@
 
 #include "bake/bake_words.h"
 #include "bake/commands.h"
+#include "bake/given_options.h"
 #include "bake/set_tables.h"
 #include "bake/supervisor.h"
 #include "bake/terminal.h"
@@ -17,37 +18,9 @@ namespace scree::tool {
 
 namespace {
 
-/// What says how to run a bake and not what to bake; not recorded in the manifest.
-constexpr const char* kNotRecorded =
-    ",recipe,output,threads,quiet,help,height,color,colormap,ocio-config,";
-
-/// The options of a command and of the groups that its help shows them in.
-std::vector<const CLI::Option*> all_options(const CLI::App& command)
-{
-    std::vector<const CLI::Option*> options = command.get_options();
-    for (const CLI::App* group : command.get_subcommands([](const CLI::App*) { return true; }))
-        for (const CLI::Option* option : group->get_options())
-            options.push_back(option);
-    return options;
-}
-
-/// What the manifest records: every option that was given, by its long name.
-std::map<std::string, std::string> given_options(const CLI::App& command)
-{
-    std::map<std::string, std::string> given;
-    for (const CLI::Option* option : all_options(command)) {
-        const std::string name =
-            option->get_lnames().empty() ? option->get_name() : option->get_lnames().front();
-        if (option->count() == 0 ||
-            std::string(kNotRecorded).find("," + name + ",") != std::string::npos)
-            continue;
-        std::string value;
-        for (const auto& word : option->results())
-            value += (value.empty() ? "" : " ") + word;
-        given[name] = value;
-    }
-    return given;
-}
+/// What says how to run a bake and not what to bake.
+const std::set<std::string> kNotRecorded = {"recipe", "output", "threads",  "quiet",      "help",
+                                            "height", "color",  "colormap", "ocio-config"};
 
 void print_summary(const Manifest& manifest, const std::filesystem::path& folder)
 {
@@ -73,7 +46,7 @@ void run(CLI::App& command, BakeWords& words)
     interpret(command, words);
     if (words.options.output.empty())
         throw UsageError("no output folder; give -o DIR");
-    words.options.as_given = given_options(command);
+    words.options.as_given = given_options(command, kNotRecorded);
     note_for_supervisor({words.options.height_file.string(), words.options.color_file.string(),
                          words.options.colormap_file.string()},
                         words.options.output);

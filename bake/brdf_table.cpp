@@ -1,5 +1,3 @@
-#include "tables/brdf_table.h"
-
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -8,9 +6,12 @@
 #include <memory>
 
 #include "bake/checks.h"
+#include "bake/set_inputs.h"
 #include "bake/table.h"
 #include "bake/terminal.h"
 #include "tables/effective_brdf.h"
+#include "tables/measured_brdf.h"
+#include "tables/traced_brdf.h"
 
 namespace scree::tool {
 
@@ -18,9 +19,11 @@ namespace {
 
 struct BrdfWords {
     TableWords table;
-    std::filesystem::path set;
-    int level = 0;
+    SetWords set;
+    int level = -1; ///< none
     EffectiveBrdfOptions brdf;
+    bool reference = false, compare = false;
+    int samples = 64;
     std::string parametrization = "hybrid", size = "32x32x16", spacing = "angle", second = "fitted";
 };
 
@@ -59,14 +62,53 @@ BrdfSpacing spacing_named(const std::string& word)
     return word == "root" ? BrdfSpacing::root : BrdfSpacing::angle;
 }
 
+BrdfGrid grid_of(const BrdfWords& words)
+{
+    return {parametrization_named(words.parametrization), size_named(words.size),
+            spacing_named(words.spacing), words.second == "fitted"};
+}
+
+BrdfSource traced_source(const BrdfWords& words, const BakeMonitor& monitor)
+{
+    const SetReader set(words.set.path);
+    if (words.level >= 0)
+        expect_level(words.set.path, set.manifest(), words.level);
+    Original original = read_set_inputs(set.manifest(), words.set, monitor).original;
+    const auto surface = std::make_shared<reference::DisplacedSurface>(
+        surface_for_rays(std::move(original.relief), words.set, "leave out --reference"));
+    const auto traced = [&](uint64_t seed) {
+        auto brdf = std::make_shared<TracedBrdf>(
+            *surface, TracedBrdfOptions{static_cast<double>(words.brdf.base_alpha),
+                                        static_cast<double>(words.brdf.f0), words.samples, seed});
+        return [surface, brdf](const filter::Directions<double>& w) { return (*brdf)(w); };
+    };
+    return {traced(1), traced(2)};
+}
+
+/// Reads what is to be tabulated.
+BrdfSource source_of(const BrdfWords& words, const BakeMonitor& monitor)
+{
+    if (words.reference)
+        return traced_source(words, monitor);
+    const auto baked = std::make_shared<EffectiveBrdf>(words.set.path, words.level, words.brdf);
+    return {[baked](const filter::Directions<double>& w) { return (*baked)(w); }, {}};
+}
+
 void run(const CLI::App& command, const BrdfWords& words)
 {
-    const BrdfGrid grid{parametrization_named(words.parametrization), size_named(words.size),
-                        spacing_named(words.spacing), words.second == "fitted"};
+    if (words.level < 0 && !words.reference)
+        throw UsageError("--level is required, but with --reference");
+    const BrdfGrid grid = grid_of(words);
     make_table(command, brdf_manifest(grid).kind, words.table,
                [&](const std::function<void(double)>& progress) {
-                   const EffectiveBrdf brdf(words.set, words.level, words.brdf);
-                   return MadeTable{brdf_manifest(grid), brdf_table(grid, brdf, progress)};
+                   const BakeMonitor reading{
+                       [&progress](const char* /*phase*/, double /*done*/) { progress(0); },
+                       &stop_asked()};
+                   MeasuredBrdf made =
+                       measured_brdf(grid, source_of(words, reading), words.compare, progress);
+                   TableManifest manifest = brdf_manifest(grid);
+                   manifest.figures = std::move(made.figures);
+                   return MadeTable{std::move(manifest), std::move(made.values)};
                });
 }
 
@@ -77,9 +119,9 @@ void add_brdf_table(CLI::App& table)
     auto words = std::make_shared<BrdfWords>();
     auto* command =
         table.add_subcommand("brdf", "the BRDF of a level of a texture set, isotropic: R, G, B");
-    command->add_option("--set", words->set, "folder or manifest of a texture set")->required();
+    command->add_option("--set", words->set.path, "folder or manifest of a texture set")
+        ->required();
     command->add_option("--level", words->level, "level whose texels are averaged")
-        ->required()
         ->check(whole_number_from(0));
     command->add_option("--parametrization", words->parametrization, "what its axes are")
         ->check(CLI::IsMember({"half-difference", "orthographic", "hybrid"}))
@@ -104,6 +146,17 @@ void add_brdf_table(CLI::App& table)
         ->check(number_from_to(0, 1));
     command->add_option("--turns", words->brdf.turns, "turns of the surface to average [16]")
         ->check(whole_number_from_to(1, 4096));
+    command->add_flag("--compare", words->compare,
+                      "measure the other two parametrizations with as many nodes");
+
+    auto* rays = command->add_option_group("Reference");
+    auto* reference = rays->add_flag("--reference", words->reference,
+                                     "trace the surface the set was baked from, not what is baked");
+    rays->add_option("--samples", words->samples, "along each side of the map: 64 is 64x64")
+        ->needs(reference)
+        ->check(whole_number_from_to(2, 1024))
+        ->capture_default_str();
+    add_input_options(*rays, words->set);
     add_table_options(*command, words->table);
     command->callback([command, words] { run(*command, *words); });
 }

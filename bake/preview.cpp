@@ -14,7 +14,6 @@
 #include "bake/commands.h"
 #include "bake/set_inputs.h"
 #include "bake/terminal.h"
-#include "judge/ray_reach.h"
 #include "pipeline/thread_limit.h"
 #include "report/table.h"
 
@@ -151,17 +150,9 @@ reference::DisplacedSurface read_surface(const PreviewWords& words, const Manife
 {
     Progress progress(words.quiet);
     Original original = read_set_inputs(manifest, words.set, monitor_of(progress)).original;
-    if (original.relief.heights.empty())
-        throw Error(fmt::format("{}: was baked from a normal map, which has no surface to trace; "
-                                "leave the reference out with --parts plain,set",
-                                words.set.path.string()));
     original.relief.beyond_s = original.relief.beyond_t = reference::Beyond::repeats;
-    reference::DisplacedSurface surface(std::move(original.relief));
-    const std::string too_high = too_high_for_rays(surface);
-    if (!too_high.empty())
-        throw Error(fmt::format("{}: {}, or leave the reference out with --parts plain,set",
-                                words.set.path.string(), too_high));
-    return surface;
+    return surface_for_rays(std::move(original.relief), words.set,
+                            "leave the reference out with --parts plain,set");
 }
 
 std::string parts_of(const PreviewScene& scene)

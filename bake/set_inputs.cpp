@@ -1,16 +1,24 @@
 #include "bake/set_inputs.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "bake/bake_words.h"
 #include "bake/supervisor.h"
 #include "judge/inputs.h"
+#include "judge/ray_reach.h"
+#include "math/error.h"
 
 namespace scree::tool {
 
 void add_set_options(CLI::App& command, CLI::App& files, SetWords& words)
 {
     command.add_option("set", words.path, "folder or manifest of a texture set")->required();
+    add_input_options(files, words);
+}
+
+void add_input_options(CLI::App& files, SetWords& words)
+{
     files
         .add_option("--inputs", words.inputs,
                     "folders with the files the set was baked from [beside the set, the current "
@@ -30,6 +38,20 @@ SetInputs read_set_inputs(const Manifest& manifest, const SetWords& words,
     note_for_supervisor({files.height.string(), files.color.string(), files.colormap.string()}, "");
     Original original = read_original(options, monitor);
     return {std::move(options), std::move(original)};
+}
+
+reference::DisplacedSurface surface_for_rays(reference::Relief relief, const SetWords& words,
+                                             const std::string& without)
+{
+    if (relief.heights.empty())
+        throw Error(
+            fmt::format("{}: was baked from a normal map, which has no surface to trace; {}",
+                        words.path.string(), without));
+    reference::DisplacedSurface surface(std::move(relief));
+    const std::string too_high = too_high_for_rays(surface);
+    if (!too_high.empty())
+        throw Error(fmt::format("{}: {}, or {}", words.path.string(), too_high, without));
+    return surface;
 }
 
 } // namespace scree::tool

@@ -6,6 +6,7 @@
 
 #include "judge/original.h"
 #include "pipeline/options.h"
+#include "reference/displaced_surface.h"
 #include "texset/manifest.h"
 
 namespace CLI {
@@ -24,6 +25,9 @@ struct SetWords {
 /// Gives a command the argument `set`, and its group of files --inputs and --ocio-config.
 void add_set_options(CLI::App& command, CLI::App& files, SetWords& words);
 
+/// --inputs and --ocio-config alone.
+void add_input_options(CLI::App& files, SetWords& words);
+
 /// What a set was baked from, and how.
 struct SetInputs {
     BakeOptions options;
@@ -37,5 +41,12 @@ struct SetInputs {
 /// options are none that this version knows; Cancelled when asked to stop.
 SetInputs read_set_inputs(const Manifest& manifest, const SetWords& words,
                           const BakeMonitor& monitor);
+
+/// The surface a set was baked from, for rays.
+///
+/// without  what to do where there is none, for the error's words: "leave it out with ..."
+/// Throws Error for a normal map, and for heights too high for rays (judge/ray_reach.h).
+reference::DisplacedSurface surface_for_rays(reference::Relief relief, const SetWords& words,
+                                             const std::string& without);
 
 } // namespace scree::tool

@@ -5,6 +5,7 @@
 
 #include "bake/checks.h"
 #include "bake/commands.h"
+#include "bake/given_options.h"
 #include "bake/supervisor.h"
 #include "bake/terminal.h"
 #include "pipeline/thread_limit.h"
@@ -16,26 +17,8 @@ namespace scree::tool {
 
 namespace {
 
-/// What says how to run and not what to make; not recorded in the manifest.
-bool is_recorded(const std::string& name)
-{
-    return name != "help" && name != "output" && name != "threads" && name != "quiet";
-}
-
-std::map<std::string, std::string> given_options(const CLI::App& command)
-{
-    std::map<std::string, std::string> given;
-    for (const CLI::Option* option : command.get_options()) {
-        if (option->count() == 0 || option->get_lnames().empty() ||
-            !is_recorded(option->get_lnames().front()))
-            continue;
-        std::string value;
-        for (const auto& word : option->results())
-            value += (value.empty() ? "" : " ") + word;
-        given[option->get_lnames().front()] = value;
-    }
-    return given;
-}
+/// What says how to run and not what to make.
+const std::set<std::string> kNotRecorded = {"help", "output", "threads", "quiet", "inputs"};
 
 void print_summary(const TableManifest& manifest, const std::filesystem::path& folder)
 {
@@ -49,8 +32,8 @@ void print_summary(const TableManifest& manifest, const std::filesystem::path& f
     const auto bytes = std::filesystem::file_size(folder / manifest.texture_file(), ignored);
     fmt::print("{}: {}\n  {} {}x{}{} {:.1f} kB\n", folder.string(), sizes, manifest.texture_file(),
                manifest.width(), manifest.height(), quantities, static_cast<double>(bytes) / 1000);
-    for (const auto& [name, value] : manifest.figures)
-        fmt::print("  {} {:.3g}\n", name, value);
+    for (const TableFigure& figure : manifest.figures)
+        fmt::print("  {}: {:.3g}\n", figure.name, figure.value);
 }
 
 } // namespace
@@ -81,7 +64,7 @@ void make_table(const CLI::App& command, const std::string& kind, const TableWor
             progress.show("table", done);
         });
         made.manifest.program_version = kVersion;
-        made.manifest.options = given_options(command);
+        made.manifest.options = given_options(command, kNotRecorded);
         write_table(made.manifest, made.values, folder.path());
         folder.publish();
     }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "math/error.h"
+#include "tables/schlick.h"
 
 namespace scree {
 
@@ -21,25 +22,24 @@ Vec3f moved(const Imath::V3d& w, double angle, bool mirrored)
     return Vec3f(Imath::V3d(c * w.x - s * y, s * w.x + c * y, w.z));
 }
 
-float schlick(float f0, double cosine)
-{
-    const auto rest = static_cast<float>(std::pow(std::max(1 - cosine, 0.0), 5));
-    return f0 + (1 - f0) * rest;
-}
-
 } // namespace
+
+void expect_level(const std::filesystem::path& set, const Manifest& manifest, int level)
+{
+    const auto& levels = manifest.levels;
+    if (level < 0 || static_cast<size_t>(level) >= levels.size())
+        throw Error(set.string() + ": has no level " + std::to_string(level) +
+                    "; give one from 0 to " + std::to_string(levels.size() - 1));
+}
 
 EffectiveBrdf::EffectiveBrdf(const std::filesystem::path& set, int level,
                              const EffectiveBrdfOptions& options)
     : options_(options)
 {
     SetReader reader(set);
-    const auto& levels = reader.manifest().levels;
-    if (level < 0 || static_cast<size_t>(level) >= levels.size())
-        throw Error(set.string() + ": has no level " + std::to_string(level) +
-                    "; give one from 0 to " + std::to_string(levels.size() - 1));
+    expect_level(set, reader.manifest(), level);
     colors_ = reader.colors();
-    const int height = levels[static_cast<size_t>(level)].height;
+    const int height = reader.manifest().levels[static_cast<size_t>(level)].height;
     for (int y = 0; y < height; ++y) {
         const auto row = reader.row(level, y);
         texels_.insert(texels_.end(), row.begin(), row.end());
@@ -49,7 +49,8 @@ EffectiveBrdf::EffectiveBrdf(const std::filesystem::path& set, int level,
 Rgbf EffectiveBrdf::operator()(const filter::Directions<double>& w) const
 {
     const double cos_d = std::sqrt(std::max(0.5 * (1 + w.wo.dot(w.wi)), 0.0));
-    const Material material{options_.base_alpha, schlick(options_.f0, cos_d)};
+    const Material material{options_.base_alpha,
+                            static_cast<float>(schlick(static_cast<double>(options_.f0), cos_d))};
     const float per_wi = 1 / std::max(static_cast<float>(w.wi.z), kLeastCosine);
     const float per_wo = 1 / std::max(static_cast<float>(w.wo.z), kLeastCosine);
     std::array<double, 3> sum{};

@@ -15,6 +15,9 @@ struct EffectiveBrdfOptions {
     int turns = 16;          ///< of the surface about its normal, 1 or more; odd ones mirrored
 };
 
+/// Throws Error when the set has no such level.
+void expect_level(const std::filesystem::path& set, const Manifest& manifest, int level);
+
 /// The BRDF that a level of a baked set has for those who see all of it at once, by the kernel.
 ///
 /// The mean over the level's texels; over turns and mirror images of the surface, which makes it

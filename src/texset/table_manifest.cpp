@@ -44,7 +44,7 @@ std::string to_json(const TableManifest& manifest)
                  {"axes", Json::array()},
                  {"channels", Json::array()},
                  {"options", manifest.options},
-                 {"figures", manifest.figures}};
+                 {"figures", Json::object()}};
     for (const TableAxis& axis : manifest.axes)
         json["axes"].push_back(axis_to_json(axis));
     for (const TableChannel& channel : manifest.channels)
@@ -52,17 +52,19 @@ std::string to_json(const TableManifest& manifest)
                                     {"quantity", channel.quantity},
                                     {"unit", channel.unit},
                                     {"meaning", channel.meaning}});
+    for (const TableFigure& figure : manifest.figures)
+        json["figures"][figure.name] = figure.value;
     return json.dump(2) + "\n";
 }
 
-std::map<std::string, double> figures_of(const Json& json)
+std::vector<TableFigure> figures_of(const Json& json)
 {
-    std::map<std::string, double> figures;
+    std::vector<TableFigure> figures;
     if (!json.contains("figures"))
         return figures;
     const JsonObject object(json["figures"], "figures");
     for (const auto& [name, value] : json["figures"].items())
-        object.get(name, figures[name]);
+        object.get(name, figures.emplace_back(TableFigure{name}).value);
     return figures;
 }
 

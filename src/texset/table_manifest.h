@@ -24,6 +24,12 @@ struct TableChannel {
     std::string meaning;
 };
 
+/// A number measured on a table.
+struct TableFigure {
+    std::string name; ///< with its unit
+    double value = 0;
+};
+
 /// A table that stands for itself, not for a surface: NAME.scree-table.json.
 ///
 /// The texture has the first axis along its columns; its rows are all others, the second one
@@ -37,7 +43,7 @@ struct TableManifest {
     std::vector<TableAxis> axes;
     std::vector<TableChannel> channels;
     std::map<std::string, std::string> options; ///< as given, by long name
-    std::map<std::string, double> figures;      ///< measured on the table, by name with unit
+    std::vector<TableFigure> figures;           ///< measured on the table
 
     [[nodiscard]] int width() const;
     [[nodiscard]] int height() const;

@@ -20,6 +20,32 @@ expect_success 'whole' -- \
     "$scree" table brdf $small --parametrization orthographic --second whole --spacing even
 grep -q '5 |k_bar| x' stdout || fail "whole: $(cat stdout)"
 
+expect_success 'three at equal bytes' -- "$scree" table brdf $small --compare -o compared
+for kind in hybrid orthographic half-difference; do
+    grep -q "rms error in %, $kind, grazing: [0-9]" stdout || fail "no error of $kind: $(cat stdout)"
+    grep -q "rms error in %, $kind, all" compared/brdf-hybrid.scree-table.json ||
+        fail "no error of $kind in the manifest"
+done
+cmp -s compared/brdf-hybrid.exr brdf-hybrid/brdf-hybrid.exr || fail 'comparing changes the table'
+
+rays="--set set --reference --samples 8 --size 6x5x4 -o rays"
+expect_success 'by rays' -- "$scree" table brdf $rays --inputs pair
+grep -q 'rms noise in %, all: [0-9]' stdout || fail "no noise: $(cat stdout)"
+grep -q '"reference": "true"' rays/brdf-hybrid.scree-table.json || fail '--reference is not recorded'
+before=$(fingerprint rays)
+expect_success 'by rays, one thread' -- "$scree" table brdf $rays --inputs pair --threads 1
+expect_equal 'the same bytes with one thread' "$(fingerprint rays)" "$before"
+mv pair elsewhere
+run "$scree" table brdf $rays
+expect_equal 'rays without the inputs' "$status" 1
+grep -q -- '--inputs' stderr || fail "said: $(said)"
+mv elsewhere pair
+expect_usage_error 'neither level nor rays' '--level is required' -- \
+    "$scree" table brdf --set set --size 6x5x4
+expect_usage_error 'samples without rays' '--reference' -- "$scree" table brdf $small --samples 8
+run "$scree" table brdf $rays --inputs pair --level 7
+expect_equal 'no such level, by rays' "$status" 1
+
 for wrong in 4x5 4x5x 1x5x6 4x5x6x7 a; do
     expect_usage_error "size $wrong" "expected three numbers.*got '$wrong'" -- \
         "$scree" table brdf --set set --level 5 --size $wrong -o out

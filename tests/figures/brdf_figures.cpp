@@ -5,9 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "figures/brdf_errors.h"
+#include <cmath>
+
+#include "figures/brdf_materials.h"
 #include "figures/data_program.h"
 #include "figures/markdown.h"
+#include "tables/brdf_error.h"
 
 namespace scree::test {
 namespace {
@@ -30,6 +33,18 @@ const char* short_name(BrdfParametrization parametrization)
     if (parametrization == BrdfParametrization::half_difference)
         return "H/D";
     return parametrization == BrdfParametrization::orthographic ? "orth" : "hyb";
+}
+
+constexpr size_t kPairs = 6000; ///< of a region
+
+void no_progress(double /*share*/) {}
+
+std::vector<double> interpolation_errors(const BrdfMaterial& material, const BrdfGrid& grid,
+                                         const std::vector<BrdfRegion>& regions,
+                                         const RegionValues& truth)
+{
+    const auto table = brdf_table(grid, material.brdf, no_progress);
+    return relative_errors(region_values(grid, table, regions), truth);
 }
 
 void print_size(const std::array<int, 3>& size, const std::vector<BrdfMaterial>& materials,
@@ -58,16 +73,52 @@ void print_size(const std::array<int, 3>& size, const std::vector<BrdfMaterial>&
         }
 }
 
+/// What the kernel says of whole surfaces against rays.
+void print_kernel(const std::vector<BrdfSurface>& surfaces, const std::vector<BrdfRegion>& regions)
+{
+    constexpr int kGrid = 96;
+    fmt::print("\nThe kernel's BRDF against rays, rms in percent of the rms value\n\n");
+    std::vector<std::string> head = {"surface", ""};
+    for (const BrdfRegion& region : regions)
+        head.push_back(region.name);
+    print_head(head);
+    const auto print = [](const std::string& name, const std::string& what,
+                          const std::vector<double>& values) {
+        std::vector<std::string> row = {name, what};
+        for (const double value : values)
+            row.push_back(fmt::format("{:.1f}", 100 * value));
+        print_row(row);
+    };
+    for (const BrdfSurface& surface : surfaces) {
+        const auto truth = region_values(surface.traced(kGrid, 1), regions, no_progress);
+        const auto again = region_values(surface.traced(kGrid, 2), regions, no_progress);
+        for (const int side : {1, 4, 16, 64})
+            print(surface.name, fmt::format("kernel, {0}x{0} texels", side),
+                  relative_errors(region_values(surface.baked(side), regions, no_progress), truth));
+        auto noise = relative_errors(again, truth);
+        for (double& each : noise)
+            each /= std::sqrt(2);
+        print(surface.name, "noise of the rays", noise);
+    }
+}
+
 void run(const std::string& data)
 {
-    const auto materials = brdf_materials(data);
-    const auto regions = brdf_regions();
+    constexpr int kGrid = 32;
+    auto materials = brdf_formulas();
+    const auto surfaces = brdf_surfaces(data);
+    for (const BrdfSurface& surface : surfaces) {
+        materials.push_back({surface.name, surface.baked(4)});
+        materials.push_back({surface.name + ", rays", surface.traced(kGrid, 1)});
+    }
+    const auto regions = brdf_regions(kPairs);
     std::vector<RegionValues> truth;
     truth.reserve(materials.size());
     for (const BrdfMaterial& material : materials)
-        truth.push_back(true_values(material, regions));
+        truth.push_back(region_values(material.brdf, regions, no_progress));
     print_size({16, 16, 8}, materials, regions, truth);
     print_size({32, 32, 16}, materials, regions, truth);
+    print_kernel(surfaces, brdf_regions(500));
 }
 
 } // namespace

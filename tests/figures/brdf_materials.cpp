@@ -9,6 +9,8 @@
 #include "pipeline/bake.h"
 #include "reference/footprint.h"
 #include "tables/effective_brdf.h"
+#include "tables/schlick.h"
+#include "tables/traced_brdf.h"
 
 namespace scree::test {
 
@@ -17,20 +19,12 @@ namespace {
 using filter::Directions;
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr int kTexelLevels = 2; ///< 4x4 texels: two levels above the last
+constexpr double kBaseAlpha = 0.2, kF0 = 0.04;
 
 Rgbf grey(double value)
 {
     const auto v = static_cast<float>(value);
     return {v, v, v};
-}
-
-/// The half vector's azimuth 0, the back vector's in [0, pi/2]: takes what is left of the azimuth
-/// of an averaged surface away.
-Directions<double> reduced(const Directions<double>& w)
-{
-    const auto c = filter::isotropic_coordinates(w);
-    return filter::directions(filter::HalfDifference<double>{c.theta_h, 0, c.theta_d, c.phi_d});
 }
 
 /// Torrance-Sparrow with Beckmann's slopes and Smith's masking, of the kernel, without Fresnel.
@@ -39,16 +33,10 @@ double lobe(const Directions<double>& w, double alpha)
     return filter::specular(w.wo, w.wi, filter::Slopes<double>{}, alpha) / std::max(w.wi.z, 0.02);
 }
 
-double schlick(const Directions<double>& w)
-{
-    const double cos_d = std::cos(filter::isotropic_coordinates(w).theta_d);
-    return 0.04 + 0.96 * std::pow(1 - cos_d, 5);
-}
-
 /// Diffuse below, a smooth layer above.
 Rgbf varnish(const Directions<double>& w)
 {
-    const double f = schlick(w);
+    const double f = schlick(kF0, std::cos(filter::isotropic_coordinates(w).theta_d));
     return grey((1 - f) * 0.3 / kPi + f * lobe(w, 0.25));
 }
 
@@ -67,35 +55,57 @@ Rgbf retro(const Directions<double>& w)
     return grey((0.1 + std::pow(std::max(w.wo.dot(w.wi), 0.0), 20)) / kPi);
 }
 
-BrdfMaterial baked(const Asset& asset)
+void bake_into(const std::filesystem::path& set, const Asset& asset)
 {
-    const TempFolder folder;
     BakeOptions options = asset.options;
-    options.output = folder.path() / "set";
+    options.output = set;
     options.maps = {Map::color, Map::slope, Map::height, Map::colorheight};
     Manifest start;
     start.name = asset.name;
     AssetSource source(asset);
     bake(source, options, start);
-    const int levels = reference::level_count(asset.relief.width, asset.relief.height);
-    const auto brdf = std::make_shared<EffectiveBrdf>(options.output, levels - 1 - kTexelLevels,
-                                                      EffectiveBrdfOptions{0.2F, 0.04F, 16});
-    return {asset.name, [brdf](const Directions<double>& w) { return (*brdf)(reduced(w)); }};
+}
+
+BrdfSurface surface_of(Asset asset)
+{
+    const auto folder = std::make_shared<TempFolder>();
+    const auto set = folder->path() / "set";
+    bake_into(set, asset);
+    const int last = reference::level_count(asset.relief.width, asset.relief.height) - 1;
+    const auto surface = std::make_shared<reference::DisplacedSurface>(std::move(asset.relief));
+    const auto baked = [folder, set, last](int side) {
+        const int level = last - static_cast<int>(std::lround(std::log2(side)));
+        // Texels are turned by themselves; a few take more turns.
+        const EffectiveBrdfOptions options{static_cast<float>(kBaseAlpha), static_cast<float>(kF0),
+                                           std::max(64 / side, 1)};
+        const auto brdf = std::make_shared<EffectiveBrdf>(set, level, options);
+        return [brdf](const Directions<double>& w) { return (*brdf)(w); };
+    };
+    const auto traced = [surface](int grid, uint64_t seed) {
+        const auto brdf =
+            std::make_shared<TracedBrdf>(*surface, TracedBrdfOptions{kBaseAlpha, kF0, grid, seed});
+        return [surface, brdf](const Directions<double>& w) { return (*brdf)(w); };
+    };
+    return {asset.name, baked, traced};
 }
 
 } // namespace
 
-std::vector<BrdfMaterial> brdf_materials(const std::string& data)
+std::vector<BrdfMaterial> brdf_formulas()
 {
-    std::vector<BrdfMaterial> all = {
-        {"lobe, alpha 0.1", [](const auto& w) { return grey(lobe(w, 0.1)); }},
-        {"lobe, alpha 0.3", [](const auto& w) { return grey(lobe(w, 0.3)); }},
-        {"varnish (Fresnel)", varnish},
-        {"velvet (grazing)", velvet},
-        {"retro-reflector", retro}};
-    all.push_back(baked(sample_asset("bricks", 256)));
+    return {{"lobe, alpha 0.1", [](const auto& w) { return grey(lobe(w, 0.1)); }},
+            {"lobe, alpha 0.3", [](const auto& w) { return grey(lobe(w, 0.3)); }},
+            {"varnish (Fresnel)", varnish},
+            {"velvet (grazing)", velvet},
+            {"retro-reflector", retro}};
+}
+
+std::vector<BrdfSurface> brdf_surfaces(const std::string& data)
+{
+    std::vector<BrdfSurface> all;
+    all.push_back(surface_of(sample_asset("bricks", 256)));
     if (data.empty()) {
-        all.push_back(baked(sample_asset("fractal", 256)));
+        all.push_back(surface_of(sample_asset("fractal", 256)));
         return all;
     }
     BakeOptions rock;
@@ -103,7 +113,7 @@ std::vector<BrdfMaterial> brdf_materials(const std::string& data)
     rock.height_file = data + "/heights/material/rock_05/rock_05_bump_1k.png";
     rock.color_file = data + "/heights/material/rock_05/rock_05_diff_1k.png";
     rock.height_scale = 0.0033048; // rms slope 0.6
-    all.push_back(baked(asset_of(rock)));
+    all.push_back(surface_of(asset_of(rock)));
     return all;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,9 +14,25 @@ struct BrdfMaterial {
     BrdfFunction brdf; ///< isotropic, reciprocal, without mirror images
 };
 
-/// A lobe, a varnish, velvet, a retro-reflector; bricks and a rock, baked, of their 4x4 texels.
+/// A lobe, a varnish, velvet, a retro-reflector.
+std::vector<BrdfMaterial> brdf_formulas();
+
+/// A surface, both ways; facets of base_alpha 0.2 and f0 0.04.
+struct BrdfSurface {
+    std::string name;
+    /// Of the texels of a level, by the kernel.
+    ///
+    /// side  texels along each axis; a power of 2
+    std::function<BrdfFunction(int side)> baked;
+    /// By rays.
+    ///
+    /// grid  grid x grid samples of the surface
+    std::function<BrdfFunction(int grid, uint64_t seed)> traced;
+};
+
+/// Bricks and a rock.
 ///
 /// data  folder of height maps; empty: a fractal instead of the rock
-std::vector<BrdfMaterial> brdf_materials(const std::string& data);
+std::vector<BrdfSurface> brdf_surfaces(const std::string& data);
 
 } // namespace scree::test
