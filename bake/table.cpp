@@ -55,7 +55,7 @@ void make_table(const CLI::App& command, const std::string& kind, const TableWor
     note_for_supervisor({}, output);
     MadeTable made;
     {
-        StagedFolder folder(output); // first, so that a bad -o fails before the work
+        StagedFolder folder(output, FolderKind::table); // first, so that a bad -o fails before the work
         const ThreadLimit limit(words.threads);
         Progress progress(words.quiet);
         made = make([&progress](double done) {

@@ -37,8 +37,8 @@ std::vector<fs::path> missing_folders(fs::path folder)
     return missing;
 }
 
-/// Throws unless `folder` is absent, empty, or holds just one texture set or table.
-void expect_replaceable(const fs::path& folder)
+/// Throws unless `folder` is absent, empty, or holds just one texture set, or table, as asked.
+void expect_replaceable(const fs::path& folder, FolderKind kind)
 {
     std::error_code failed;
     if (!fs::exists(fs::symlink_status(folder, failed)))
@@ -48,14 +48,12 @@ void expect_replaceable(const fs::path& folder)
             fmt::format("{}: exists and is not a folder; choose another -o", folder.string()));
     if (fs::is_empty(folder))
         return;
-    auto owned = files_of_set(folder);
-    const char* what = owned.empty() ? "table" : "texture set";
+    const bool table = kind == FolderKind::table;
+    const char* what = table ? "table" : "texture set";
+    const auto owned = table ? files_of_table(folder) : files_of_set(folder);
     if (owned.empty())
-        owned = files_of_table(folder);
-    if (owned.empty())
-        throw Error(fmt::format("{}: not empty, and no texture set or table; choose a new folder "
-                                "for -o",
-                                folder.string()));
+        throw Error(fmt::format("{}: not empty, and no {}; choose a new folder for -o",
+                                folder.string(), what));
     for (const auto& entry : fs::directory_iterator(folder))
         if (owned.count(entry.path().filename().string()) == 0)
             throw Error(fmt::format("{}: holds '{}', which is not part of its {}; move it away or "
@@ -71,13 +69,13 @@ fs::path staging_beside(const fs::path& folder, int process)
 
 } // namespace
 
-StagedFolder::StagedFolder(const fs::path& folder)
+StagedFolder::StagedFolder(const fs::path& folder, FolderKind kind)
 {
     if (folder.empty())
         throw Error("-o: no folder given");
     try {
         folder_ = real_place(folder);
-        expect_replaceable(folder_);
+        expect_replaceable(folder_, kind);
         made_ = missing_folders(folder_.parent_path());
         fs::create_directories(folder_.parent_path());
         staging_ = staging_beside(folder_, getpid());
@@ -118,7 +116,7 @@ void StagedFolder::publish()
 {
     if (!fs::exists(folder_)) {
         if (std::rename(staging_.c_str(), folder_.c_str()) != 0)
-            throw Error(fmt::format("{}: cannot rename the finished set: {}", folder_.string(),
+            throw Error(fmt::format("{}: cannot rename the finished folder: {}", folder_.string(),
                                     std::strerror(errno)));
         return;
     }
@@ -129,12 +127,12 @@ void StagedFolder::publish()
     // Some network file systems cannot exchange; step aside, then in.
     const fs::path aside = staging_.string() + ".old";
     if (std::rename(folder_.c_str(), aside.c_str()) != 0)
-        throw Error(fmt::format("{}: cannot replace the old set: {}", folder_.string(),
+        throw Error(fmt::format("{}: cannot replace the old folder: {}", folder_.string(),
                                 std::strerror(errno)));
     if (std::rename(staging_.c_str(), folder_.c_str()) != 0) {
         const int reason = errno;
         std::rename(aside.c_str(), folder_.c_str());
-        throw Error(fmt::format("{}: cannot rename the finished set: {}", folder_.string(),
+        throw Error(fmt::format("{}: cannot rename the finished folder: {}", folder_.string(),
                                 std::strerror(reason)));
     }
     fs::remove_all(aside);

@@ -30,6 +30,13 @@ expect_equal 'a file of the user stops it' "$status" 1
 grep -q "holds 'mine.txt', which is not part of its table" stderr || fail "said: $(said)"
 expect_equal 'and stays' "$(cat linear-light/mine.txt)" mine
 
+"$scree" sample plane --size 16 -o pair --quiet && "$scree" bake pair/plane.toml -o set --quiet
+before=$(fingerprint set)
+run "$scree" table linear-light --resolution 4x5x6 -o set
+expect_equal 'a texture set stops it too' "$status" 1
+grep -q 'no table; choose a new folder' stderr || fail "said: $(said)"
+expect_equal 'and stays' "$(fingerprint set)" "$before"
+
 expect_success 'large enough to be stopped' -- "$scree" table linear-light --resolution 2x2x2 -o old
 before=$(fingerprint old)
 "$scree" table linear-light --resolution 32x256x1024 --quiet -o old > stdout 2> stderr &

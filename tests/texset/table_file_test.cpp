@@ -6,6 +6,7 @@
 
 #include "math/error.h"
 #include "support/files.h"
+#include "texset/manifest.h"
 #include "texset/staged_folder.h"
 
 namespace scree {
@@ -99,7 +100,7 @@ TEST(TableFile, ADamagedManifestIsNamedAndItsFolderNotReplaced)
             << e.what();
     }
     EXPECT_TRUE(files_of_table(temp.path()).empty());
-    EXPECT_THROW(StagedFolder{temp.path()}, Error);
+    EXPECT_THROW((StagedFolder{temp.path(), FolderKind::table}), Error);
 }
 
 TEST(TableFile, AManifestWithoutAxesOrCoordinatesIsDamaged)
@@ -119,13 +120,28 @@ TEST(TableFile, ATableIsReplacedByAnotherButNotWithWhatElseLiesThere)
     const TempFolder temp;
     const auto folder = temp / "table";
     for (int round = 0; round < 2; ++round) {
-        StagedFolder staged(folder);
+        StagedFolder staged(folder, FolderKind::table);
         write_table(some_manifest(), rising(48), staged.path());
         staged.publish();
     }
     EXPECT_EQ(files_of_table(folder).size(), 2U);
     std::ofstream(folder / "mine.txt") << "mine";
-    EXPECT_THROW(StagedFolder{folder}, Error);
+    EXPECT_THROW((StagedFolder{folder, FolderKind::table}), Error);
+}
+
+TEST(TableFile, NeitherTablesNorSetsTakeTheOthersPlace)
+{
+    const TempFolder temp;
+    std::filesystem::create_directory(temp / "table");
+    write_table(some_manifest(), rising(48), temp / "table");
+    std::filesystem::create_directory(temp / "set");
+    Manifest set;
+    set.name = "a";
+    write_manifest(set, temp / "set");
+    EXPECT_NO_THROW((StagedFolder{temp / "table", FolderKind::table}));
+    EXPECT_NO_THROW((StagedFolder{temp / "set", FolderKind::texture_set}));
+    EXPECT_THROW((StagedFolder{temp / "table", FolderKind::texture_set}), Error);
+    EXPECT_THROW((StagedFolder{temp / "set", FolderKind::table}), Error);
 }
 
 } // namespace
