@@ -348,6 +348,30 @@ TYPED_TEST(K0Samples, OfGroovesAndPlanesStayOnThem)
     EXPECT_NEAR(across, 0.25, 0.016);
 }
 
+// The same groove turned by 90 degrees: s and t change places, and nothing else.
+TYPED_TEST(K0Samples, OfAGrooveAlongSAreThoseOfOneAlongT)
+{
+    using Real = TypeParam;
+    Numbers<Real> numbers(501);
+    const Slopes<Real> across_s{{Real(0.1), Real(-0.2)}, {Real(0.25), 0, 0}, 1};
+    const Slopes<Real> across_t{{Real(-0.2), Real(0.1)}, {0, 0, Real(0.25)}, 1};
+    Real u[5], u3[3];
+    Real most = 0;
+    for (int i = 0; i < 1000; ++i) {
+        numbers.fill(u);
+        numbers.fill(u3);
+        const auto s = k0::sample(u3, across_s), t = k0::sample(u3, across_t);
+        EXPECT_EQ(t.x, s.y);
+        EXPECT_EQ(t.y, s.x);
+        const filter::Vec3<Real> along_t(0, Real(0.6), Real(0.8)), along_s(Real(0.6), 0, Real(0.8));
+        const auto seen_s = k0::sample_visible(u, along_t, across_s);
+        const auto seen_t = k0::sample_visible(u, along_s, across_t);
+        EXPECT_EQ(seen_t.y, seen_s.x);
+        most = std::max({most, std::abs(t.y - Real(0.1)), std::abs(seen_t.y - Real(0.1))});
+    }
+    EXPECT_GT(most, 1);
+}
+
 TYPED_TEST(K0Samples, AreNumbersAtTheEndsOfTheRandomNumbers)
 {
     using Real = TypeParam;

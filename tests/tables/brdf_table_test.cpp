@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "kernel/direction_pairs.h"
 #include "math/error.h"
@@ -102,6 +103,55 @@ TEST(BrdfGrid, TheKernelFindsThePlaceInTheTableOfTheCommand)
     }
 }
 
+// The coordinates, of directions that the kernel makes coordinates of: units and names by hand.
+TEST(BrdfGrid, TheManifestSaysWhereTheNodesAre)
+{
+    for (const BrdfGrid& grid : all_grids({6, 5, 4})) {
+        const bool angles = grid.parametrization == BrdfParametrization::half_difference;
+        const bool flat = grid.parametrization == BrdfParametrization::orthographic;
+        const auto axes = grid.axes();
+        ASSERT_EQ(axes.size(), 3U);
+        EXPECT_EQ(axes[0].unit, angles ? "radians" : "1") << text(grid);
+        EXPECT_EQ(axes[1].unit, angles && !grid.fitted ? "radians" : "1") << text(grid);
+        EXPECT_EQ(axes[2].unit, "radians");
+        EXPECT_EQ(axes[1].name, std::string(angles ? "theta_d"
+                                            : flat ? "|k_bar|"
+                                                   : "|k|") +
+                                    (grid.fitted ? " / reach" : ""));
+        const double most = angles ? kPi / 2 : 1;
+        const std::array<double, 3> ends = {most, grid.fitted ? 1 : most, kPi / 2};
+        for (size_t axis = 0; axis < 3; ++axis) {
+            const auto& at = axes[axis].coordinates;
+            ASSERT_EQ(at.size(), static_cast<size_t>(grid.size[axis]));
+            EXPECT_EQ(at.front(), 0) << text(grid);
+            EXPECT_NEAR(at.back(), ends[axis], 1e-15) << text(grid);
+        }
+        int seen = 0;
+        for (int a = 1; a < 5; ++a)
+            for (int b = 1; b < 5; ++b)
+                for (int c = 1; c < 3; ++c) {
+                    const auto w = grid.directions(a, b, c);
+                    if (!is_regular(w))
+                        continue;
+                    ++seen;
+                    const auto got = filter::isotropic_coordinates(w);
+                    const double first = angles ? got.theta_h : got.h_bar;
+                    const double azimuth = angles ? got.phi_d : got.azimuth;
+                    const double reach =
+                        angles ? kernel::scree_half_difference_reach(first, azimuth)
+                        : flat ? kernel::scree_orthographic_reach(first, azimuth)
+                               : kernel::scree_hybrid_reach(first, azimuth);
+                    const double second = angles ? got.theta_d : flat ? got.k_bar : got.k;
+                    EXPECT_NEAR(axes[0].coordinates[static_cast<size_t>(a)], first, 1e-9);
+                    EXPECT_NEAR(axes[1].coordinates[static_cast<size_t>(b)],
+                                grid.fitted ? second / reach : second, 1e-9)
+                        << text(grid);
+                    EXPECT_NEAR(axes[2].coordinates[static_cast<size_t>(c)], azimuth, 1e-9);
+                }
+        EXPECT_GT(seen, 4) << text(grid);
+    }
+}
+
 TEST(BrdfTable, HoldsTheFunctionAtItsNodes)
 {
     const auto brdf = [](const filter::Directions<double>& w) {
@@ -163,6 +213,11 @@ protected:
         write_image(temp_ / "c.exr", colors);
         for (size_t i = 0; i < colors.pixels.size(); ++i)
             color_[i % 3] += static_cast<double>(colors.pixels[i]) / 256;
+        bake(options());
+    }
+
+    [[nodiscard]] BakeOptions options() const
+    {
         BakeOptions options;
         options.height_file = temp_ / "h.exr";
         options.color_file = temp_ / "c.exr";
@@ -172,7 +227,7 @@ protected:
         options.wrap_s = options.wrap_t = Wrap::periodic;
         options.pixel_type = PixelTypeChoice::float32;
         options.maps = {Map::color, Map::slope};
-        bake(options);
+        return options;
     }
 
     TempFolder temp_;
@@ -210,6 +265,49 @@ TEST_F(EffectiveBrdfTest, IsReciprocalAndAllButIsotropic)
     const auto mirrored = [](const Imath::V3d& v) { return Imath::V3d(-v.x, v.y, v.z); };
     EXPECT_NEAR(brdf({turned(w.wo), turned(w.wi)})[0], here, 1e-3F * here);
     EXPECT_NEAR(brdf({mirrored(w.wo), mirrored(w.wi)})[0], here, 1e-3F * here);
+}
+
+// Mean and covariance of a texel's slopes are no mirror image of themselves; their mean over turns
+// would not be either.
+TEST_F(EffectiveBrdfTest, HasNoHandThoughTheSurfaceHas)
+{
+    bake_heights(0, 1);
+    const EffectiveBrdf brdf(temp_ / "set", 3, {0.1F, 0.04F, 64});
+    const Imath::V3d wo = Imath::V3d(0.7, 0, 0.4).normalized();
+    for (const double y : {0.3, 0.6, 0.9}) {
+        const float here = brdf({wo, Imath::V3d(-0.3, y, 0.5).normalized()})[0];
+        const float image = brdf({wo, Imath::V3d(-0.3, -y, 0.5).normalized()})[0];
+        EXPECT_NEAR(image / here, 1, 1e-4) << y;
+    }
+}
+
+// A cosine of 0.01 counts as 0.02 one way; the other way, lit from above, a Lambertian stays one.
+TEST_F(EffectiveBrdfTest, LightAtTheHorizonIsDividedByTheLeastCosine)
+{
+    bake_heights(0.5F, 0.5F);
+    const EffectiveBrdf brdf(temp_ / "set", 4, {0.3F, 0, 4});
+    const auto at = [](double z) { return Imath::V3d(std::sqrt(1 - z * z), 0, z); };
+    EXPECT_NEAR(static_cast<double>(brdf({at(0.5), at(0.01)})[1]) * kPi, 0.75 * color_[1], 1e-4);
+    EXPECT_NEAR(static_cast<double>(brdf({at(0.01), at(0.5)})[1]) * kPi, 0.75 * color_[1], 1e-4);
+}
+
+// Half of the height map is no data: what has none counts for nothing, instead of as black.
+TEST_F(EffectiveBrdfTest, TexelsWithoutDataDoNotDarkenTheLevel)
+{
+    bake_heights(0.5F, 0.5F);
+    Image flat = random_image(16, 16, {"Y"}, 5, 0.5F, 0.5F);
+    for (size_t i = 0; i < flat.pixels.size(); ++i)
+        if (i % 16 < 8)
+            flat.pixels[i] = std::numeric_limits<float>::quiet_NaN();
+    write_image(temp_ / "h.exr", flat);
+    Image colors = random_image(16, 16, {"R", "G", "B"}, 6, 0.4F, 0.4F);
+    write_image(temp_ / "c.exr", colors);
+    bake(options());
+    for (const int level : {1, 3}) {
+        const EffectiveBrdf brdf(temp_ / "set", level, {0.3F, 0, 4});
+        const Imath::V3d up(0, 0, 1);
+        EXPECT_NEAR(static_cast<double>(brdf({up, up})[0]) * kPi, 0.4, 1e-5) << level;
+    }
 }
 
 TEST_F(EffectiveBrdfTest, ALevelThatIsNotThereIsAnError)
