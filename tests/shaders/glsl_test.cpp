@@ -56,14 +56,6 @@ TEST_P(Glsl, TheExampleOfTheDocsCompiles)
               0U);
 }
 
-TEST(DocExample, OfCppIsWhatTheConsumerBuilds)
-{
-    const std::string example = doc_example("cpp");
-    ASSERT_FALSE(example.empty());
-    EXPECT_NE(read_bytes(SCREE_SOURCE "/tests/consumer/shade.cpp").find(example),
-              std::string::npos);
-}
-
 INSTANTIATE_TEST_SUITE_P(Kernel, Glsl, both_dialects(), dialect_name);
 
 } // namespace

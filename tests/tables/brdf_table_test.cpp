@@ -137,10 +137,10 @@ TEST(BrdfGrid, TheManifestSaysWhereTheNodesAre)
                     const auto got = filter::isotropic_coordinates(w);
                     const double first = angles ? got.theta_h : got.h_bar;
                     const double azimuth = angles ? got.phi_d : got.azimuth;
-                    const double reach =
-                        angles ? kernel::scree_half_difference_reach(first, azimuth)
-                        : flat ? kernel::scree_orthographic_reach(first, azimuth)
-                               : kernel::scree_hybrid_reach(first, azimuth);
+                    const double reach = angles
+                                             ? kernel::scree_half_difference_reach(first, azimuth)
+                                         : flat ? kernel::scree_orthographic_reach(first, azimuth)
+                                                : kernel::scree_hybrid_reach(first, azimuth);
                     const double second = angles ? got.theta_d : flat ? got.k_bar : got.k;
                     EXPECT_NEAR(axes[0].coordinates[static_cast<size_t>(a)], first, 1e-9);
                     EXPECT_NEAR(axes[1].coordinates[static_cast<size_t>(b)],

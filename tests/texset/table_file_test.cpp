@@ -4,6 +4,8 @@
 
 #include <fstream>
 
+#include <nlohmann/json.hpp>
+
 #include "math/error.h"
 #include "support/files.h"
 #include "texset/manifest.h"
@@ -82,6 +84,45 @@ TEST(TableFile, ItsManifestComesBack)
         EXPECT_EQ(got.channels[i].unit, want.channels[i].unit);
         EXPECT_EQ(got.channels[i].meaning, want.channels[i].meaning);
     }
+}
+
+// For readers that go by the JSON alone.
+TEST(TableFile, TheManifestStatesSizesRangesUnitsAndFile)
+{
+    const TempFolder temp;
+    write_table(some_manifest(), rising(48), temp.path());
+    const auto json = nlohmann::json::parse(test::read_bytes(temp / "some.scree-table.json"));
+    EXPECT_EQ(json.at("format"), "scree table");
+    EXPECT_EQ(json.at("version"), TableManifest::kFormatVersion);
+    EXPECT_EQ(json.at("kind"), "some");
+    EXPECT_EQ(json.at("file"), "some.exr");
+    EXPECT_EQ(json.at("width"), 3);
+    EXPECT_EQ(json.at("height"), 8);
+    ASSERT_EQ(json.at("axes").size(), 3U);
+    const auto& y = json.at("axes").at(1);
+    EXPECT_EQ(y.at("name"), "y");
+    EXPECT_EQ(y.at("unit"), "radians");
+    EXPECT_EQ(y.at("size"), 2);
+    EXPECT_EQ(y.at("range"), (std::vector<double>{-1, 1}));
+    EXPECT_EQ(y.at("coordinates"), (std::vector<double>{-1, 1}));
+    ASSERT_EQ(json.at("channels").size(), 2U);
+    EXPECT_EQ(json.at("channels").at(1).at("name"), "G");
+    EXPECT_EQ(json.at("channels").at(1).at("unit"), "radians");
+    EXPECT_EQ(json.at("options").at("resolution"), "3x2x4");
+    EXPECT_EQ(json.at("figures").at("error rms"), 0.25);
+}
+
+TEST(TableFile, AnotherFormatIsNoTable)
+{
+    const TempFolder temp;
+    write_table(some_manifest(), rising(48), temp.path());
+    const auto path = temp / "some.scree-table.json";
+    auto json = nlohmann::json::parse(test::read_bytes(path));
+    json["format"] = "scree texture set";
+    std::ofstream(path) << json;
+    EXPECT_THROW(read_table_manifest(temp.path()), Error);
+    std::ofstream(path) << "{ \"format\": \"scree ta";
+    EXPECT_THROW(read_table_manifest(temp.path()), Error);
 }
 
 TEST(TableFile, ADamagedManifestIsNamedAndItsFolderNotReplaced)
