@@ -387,7 +387,7 @@ SCREE_FUNCTION Real scree_k0_visible_along(Real z, Real u1, Real u2)
         Real side = u1 / share; // what is left of u1 is uniform again
         x = side * (LIT(2.0) * facing) < facing - y ? y : -y;
     } else {
-        Real rest = min((u1 - share) / (LIT(1.0) - share), LIT(0.9999999));
+        Real rest = (u1 - share) / (LIT(1.0) - share);
         x = -(abs(z) + y + scale * scree_exponential(rest));
     }
     return x;

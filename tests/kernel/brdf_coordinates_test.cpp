@@ -273,6 +273,45 @@ TEST(BrdfCoordinates, BeyondTheReachOneDirectionIsAtTheHorizon)
                 }
 }
 
+// theta_h = theta_d = 90 degrees and k straight up and down: any direction at the horizon.
+template <typename Real>
+void expect_unit_vectors_of_an_upright_back_vector()
+{
+    const auto quarter = static_cast<Real>(kPi / 2), half = static_cast<Real>(kPi);
+    for (const Real phi_h : {Real(0), Real(0.4)})
+        for (const Real phi_d : {Real(0), half}) {
+            const auto w =
+                filter::directions(filter::HalfDifference<Real>{quarter, phi_h, quarter, phi_d});
+            for (const auto& v : {w.wo, w.wi}) {
+                EXPECT_NEAR(v.length(), 1, 1e-6);
+                EXPECT_GE(v.z, 0);
+            }
+        }
+    Real x = 0, y = 0, z = 0;
+    kernel::scree_above_horizon(Real(0), Real(0), Real(-1), x, y, z);
+    EXPECT_EQ(filter::Vec3<Real>(x, y, z), filter::Vec3<Real>(1, 0, 0));
+}
+
+TEST(BrdfCoordinates, StraightDownBecomesADirectionAtTheHorizon)
+{
+    expect_unit_vectors_of_an_upright_back_vector<float>();
+    expect_unit_vectors_of_an_upright_back_vector<double>();
+}
+
+// |h_bar| may round to more than 1: no root of less than 0.
+TEST(BrdfCoordinates, PlaceInTheTableIsWithinItInFloat)
+{
+    for (const auto& [name, pair] : direction_pairs()) {
+        const auto at = filter::hybrid_place(
+            Directions<float>{filter::Vec3<float>(pair.wo), filter::Vec3<float>(pair.wi)});
+        for (int i = 0; i < 3; ++i)
+            ASSERT_TRUE(at[i] >= 0 && at[i] <= 1) << text(name, pair) << ' ' << at;
+    }
+    const float more = std::nextafter(1.0F, 2.0F);
+    const auto at = filter::hybrid_place(Directions<float>{{more, 0, 0}, {more, 0, 0}});
+    EXPECT_EQ(at.x, 1);
+}
+
 // --- symmetries
 
 TEST(BrdfCoordinates, ChangingViewerAndLightTurnsTheBackVector)

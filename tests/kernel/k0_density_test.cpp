@@ -273,6 +273,7 @@ TEST(K0Density, OfNormalsIsThatOfSlopesPerCosineToTheFourth)
             }
     EXPECT_EQ(k0::ndf(toward(2.0, 0.3), laws()[0]), 0);
     EXPECT_EQ(k0::ndf(Vec3(1, 0, 0), laws()[0]), 0);
+    EXPECT_EQ(k0::ndf(Vec3(0, 0, -1), laws()[0]), 0); // where the slope would be that of (0, 0, 1)
 }
 
 // D, sigma and Lambda of the source, u = cos theta, alpha^2 = 2 variance; sigma below the plane

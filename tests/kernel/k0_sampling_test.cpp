@@ -406,6 +406,8 @@ TEST(K0VisibleDensity, IsFacingAreaPerProjectedArea)
                 EXPECT_NEAR(k0::visible_slope_pdf(slope, w, slopes), want, 1e-12 * want) << law;
             }
         }
+    // From straight below nothing is seen: 0, not 0 / 0.
+    EXPECT_EQ(k0::visible_slope_pdf({0.1, 0.2}, {0, 0, -1}, laws()[0].slopes<double>()), 0);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 
@@ -225,6 +226,56 @@ TEST(LinearLight, TheBendOfTheCurveBelongsIntoK)
                    want);
     });
     EXPECT_LT(3 * curved.value(), straight.value());
+}
+
+// Half of k where the bend would flatten the peak away; by hand where it does not.
+TEST(LinearLight, TheBendLeavesAtLeastHalfOfK)
+{
+    EXPECT_NEAR(kernel::scree_linear_curved_k(1.0, 0.0, 0.9, 0.3), 0.5 * std::sqrt(3.0), 1e-15);
+    EXPECT_NEAR(kernel::scree_linear_curved_k(1.0, 0.5, 0.3, 0.9), std::sqrt(1.375), 1e-15);
+    EXPECT_NEAR(kernel::scree_linear_curved_k(0.5, 0.0, 0.9, 0.0), 0.25, 1e-15);
+    EXPECT_NEAR(kernel::scree_linear_curved_k(0.6, 3.0, 0.5, -0.5), 0.3, 1e-15);
+}
+
+// Normals that no half vector faces too: numbers, and half vectors that are on the cone.
+TEST(LinearLight, PeakIsANumberForEveryNormalAndViewer)
+{
+    const std::array<float, 9> shares = {-1, -0.999F, -0.7F, -0.3F, 0, 0.2F, 0.6F, 0.9999F, 1};
+    for (const float cos_v : {0.0F, 1e-6F, 0.01F, 0.4F, 0.99F, 1.0F})
+        for (const float cos_n : shares)
+            for (const float turn : shares)
+                for (const int steps : {4, 8}) {
+                    const auto sine = [](float c) { return std::sqrt(1 - c * c); };
+                    const auto azimuth = static_cast<float>(kPi) * turn;
+                    const Imath::V3f n(sine(cos_n) * std::cos(azimuth),
+                                       sine(cos_n) * std::sin(azimuth), cos_n);
+                    float ch = 0, sh = 0, na = 0, nb = 0, radius = 0;
+                    kernel::scree_linear_cone(sine(cos_v), cos_v, n.x, n.y, n.z, ch, sh, na, nb,
+                                              radius);
+                    EXPECT_GT(
+                        kernel::scree_linear_stretch(cos_v, na, nb * nb, cos_v * n.y * n.y, steps),
+                        0)
+                        << cos_v << ' ' << n;
+                    const auto peak =
+                        filter::linear_peak(Imath::V3f(sine(cos_v), 0, cos_v), n, steps);
+                    EXPECT_LE(std::abs(peak.phi), static_cast<float>(kPi) + 1e-6F);
+                    EXPECT_GE(peak.k, 0.5F);
+                    EXPECT_TRUE(std::isfinite(peak.k));
+                    EXPECT_GE(peak.tan2, 0);
+                    EXPECT_LE(peak.tan2, 1e6F);
+                }
+}
+
+// What is beyond an axis is its end: -1 of the ratio is the first texel, whatever is below.
+TEST(LinearLight, CoordinatesInTablesEndAtTheirEnds)
+{
+    EXPECT_EQ(kernel::scree_texel_centres(-1.0, 32.0), 0.5 / 32);
+    EXPECT_EQ(kernel::scree_texel_centres(2.0, 32.0), 31.5 / 32);
+    for (const double na : {-1.0, -2.0, -3.0, -50.0}) {
+        double x = 0, y = 0, z = 0;
+        kernel::scree_linear_cone_coordinates(0.5, na, 0.3, 1.0, 32.0, 64.0, 32.0, x, y, z);
+        EXPECT_EQ(y, 0.5 / 64) << na;
+    }
 }
 
 // The source's further simplification of the terms before the exponential (docs/errata.md). Exact

@@ -69,6 +69,35 @@ TEST(BrdfGrid, NodesLieWhereTheirDirectionsAreLookedUp)
     }
 }
 
+// No node of a whole axis is wasted on directions that are not there: it repeats the last that is.
+TEST(BrdfGrid, NodesBeyondTheReachRepeatItsEnd)
+{
+    constexpr int kCount = 12;
+    for (const BrdfGrid& grid : all_grids({kCount, kCount, 5})) {
+        if (grid.fitted || grid.parametrization != BrdfParametrization::hybrid)
+            continue;
+        const auto axes = grid.axes();
+        int repeated = 0;
+        for (int a = 1; a + 1 < kCount; ++a)
+            for (int c = 0; c < 5; ++c) {
+                const double h_bar = axes[0].coordinates[static_cast<size_t>(a)];
+                const double azimuth = axes[2].coordinates[static_cast<size_t>(c)];
+                const double reach = kernel::scree_hybrid_reach(h_bar, azimuth);
+                const auto end =
+                    filter::directions(filter::Hybrid<double>{h_bar, 0, reach, azimuth});
+                for (int b = 0; b < kCount; ++b) {
+                    if (axes[1].coordinates[static_cast<size_t>(b)] <= reach)
+                        continue;
+                    ++repeated;
+                    const auto w = grid.directions(a, b, c);
+                    EXPECT_LT((w.wi - end.wi).length() + (w.wo - end.wo).length(), 1e-9)
+                        << text(grid);
+                }
+            }
+        EXPECT_GT(repeated, 20) << text(grid);
+    }
+}
+
 // Linear interpolation gives linear functions of the place back, up to float.
 TEST(BrdfGrid, LookUpIsLinearBetweenNodes)
 {
