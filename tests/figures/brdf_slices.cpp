@@ -10,13 +10,11 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "report/svg.h"
+#include "figures/drawing.h"
 #include "tables/brdf_grid.h"
 
 namespace scree::test {
@@ -121,9 +119,7 @@ std::string isoline(const Slice& slice, const std::vector<double>& values, doubl
 std::string panel(BrdfParametrization parametrization, int azimuth, const Spot& corner)
 {
     const Slice slice = slice_of(parametrization, azimuth, corner);
-    std::string svg =
-        fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#dfe3e7\"/>\n",
-                    corner.x, corner.y, kPanel, kPanel);
+    std::string svg = filled_rectangle(corner, kPanel, kPanel, "#dfe3e7");
     std::string inside = fmt::format("M{:.1f} {:.1f}", corner.x, corner.y + kPanel);
     for (int a = 0; a <= kSteps; ++a) {
         const Spot& end = slice.spots[Slice::index(a, kSteps)];
@@ -147,10 +143,7 @@ std::string panel(BrdfParametrization parametrization, int azimuth, const Spot& 
 std::string picture()
 {
     const double width = kLeft + 3 * (kPanel + kGap), height = kTop + 3 * (kPanel + kGap) + 30;
-    std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" "
-                                  "height=\"{}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-                                  "<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n",
-                                  width, height, width, height);
+    std::string svg;
     const std::array<BrdfParametrization, 3> rows = {BrdfParametrization::half_difference,
                                                      BrdfParametrization::orthographic,
                                                      BrdfParametrization::hybrid};
@@ -166,15 +159,15 @@ std::string picture()
             svg += panel(rows[row], azimuth, {kLeft + azimuth * (kPanel + kGap), top});
     }
     for (int azimuth = 0; azimuth < 3; ++azimuth)
-        svg += report::svg_text({kLeft + azimuth * (kPanel + kGap) + kPanel / 2, kTop - 8},
-                                fmt::format("{} degrees", 45 * azimuth), "text-anchor=\"middle\"");
+        svg += centred_text({kLeft + azimuth * (kPanel + kGap) + kPanel / 2, kTop - 8},
+                            fmt::format("{} degrees", 45 * azimuth));
     double x = 20;
     for (const TestFunction& function : test_functions()) {
         svg += report::svg_text({x, height - 16}, function.words,
                                 fmt::format("fill=\"{}\"", function.color));
         x += 205;
     }
-    return svg + "</svg>\n";
+    return drawing(width, height, svg);
 }
 
 } // namespace
@@ -182,16 +175,5 @@ std::string picture()
 
 int main(int argc, char** argv)
 {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: %s OUTPUT.svg\n", argv[0]);
-        return 2;
-    }
-    std::ofstream out(argv[1]);
-    out << scree::test::picture();
-    out.close();
-    if (out.fail()) {
-        std::fprintf(stderr, "%s: cannot be written\n", argv[1]);
-        return 1;
-    }
-    return 0;
+    return scree::test::draw_to_file(argc, argv, scree::test::picture);
 }

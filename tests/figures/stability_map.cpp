@@ -11,10 +11,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <string>
 #include <vector>
 
+#include "figures/drawing.h"
 #include "kernel/cases.h"
 #include "kernel/oracle.h"
 #include "kernel/published.h"
@@ -96,123 +96,69 @@ Errors cell(double z, double ratio)
     return worst;
 }
 
-struct Color {
-    const char* fill;
-    double below; // error
-    const char* label;
-};
-const std::array<Color, 7> kColors = {{{"#0b5d3b", 1e-7, "&lt; 1e-7"},
-                                       {"#2f9e5b", 1e-6, "&lt; 1e-6"},
-                                       {"#a5d96a", 1e-4, "&lt; 1e-4"},
-                                       {"#ffe08a", 1e-2, "&lt; 1e-2"},
-                                       {"#f68d4b", 1, "&lt; 1"},
-                                       {"#c4262e", kBroken, "1 and more"},
-                                       {"#000000", 2 * kBroken, "inf or NaN"}}};
-
-size_t color_of(double error)
+const std::vector<ColorStep>& colors()
 {
-    size_t i = 0;
-    while (i + 1 < kColors.size() && !(error < kColors[i].below))
-        ++i;
-    return i;
+    static const std::vector<ColorStep> all = {
+        {"#0b5d3b", 1e-7, "< 1e-7"}, {"#2f9e5b", 1e-6, "< 1e-6"},
+        {"#a5d96a", 1e-4, "< 1e-4"}, {"#ffe08a", 1e-2, "< 1e-2"},
+        {"#f68d4b", 1, "< 1"},       {"#c4262e", kBroken, "1 and more"},
+        {"#000000", 0, "inf or NaN"}};
+    return all;
 }
 
-class Svg {
-public:
-    explicit Svg(const std::string& file) : out_(file)
-    {
-        out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"820\" height=\"520\" "
-                "font-family=\"sans-serif\" font-size=\"12\">\n"
-                "<rect width=\"820\" height=\"520\" fill=\"#ffffff\"/>\n";
-    }
-    void rect(double x, double y, double w, double h, const char* fill)
-    {
-        out_ << "<rect x=\"" << x << "\" y=\"" << y << "\" width=\"" << w << "\" height=\"" << h
-             << "\" fill=\"" << fill << "\"/>\n";
-    }
-    void text(double x, double y, const std::string& words, const char* anchor = "middle",
-              const char* more = "")
-    {
-        out_ << "<text x=\"" << x << "\" y=\"" << y << "\" text-anchor=\"" << anchor << "\" "
-             << more << ">" << words << "</text>\n";
-    }
-    bool close()
-    {
-        out_ << "</svg>\n";
-        out_.close();
-        return !out_.fail();
-    }
-
-private:
-    std::ofstream out_;
-};
-
-void draw_panel(Svg& svg, double left, double top, const std::string& title,
-                const std::vector<Errors>& cells, size_t way)
+std::string panel(double left, double top, const std::string& title,
+                  const std::vector<Errors>& cells, size_t way)
 {
     constexpr double kWide = 4, kHigh = 10;
-    svg.text(left + kWide * kColumns / 2, top - 8, title, "middle", "font-weight=\"bold\"");
-    for (int r = 0; r < kRows; ++r)
-        for (int c = 0, end = 0; c < kColumns; c = end) { // cells of one color in one rectangle
-            const auto color = [&](int column) {
-                return color_of(cells[static_cast<size_t>(r * kColumns + column)][way]);
-            };
-            for (end = c + 1; end < kColumns && color(end) == color(c);)
-                ++end;
-            svg.rect(left + c * kWide, top + (kRows - 1 - r) * kHigh, (end - c) * kWide, kHigh,
-                     kColors[color(c)].fill);
-        }
+    std::string svg =
+        centred_text({left + kWide * kColumns / 2, top - 8}, title, "font-weight=\"bold\"");
+    svg += cell_map({left, top}, kWide, kHigh, kColumns, kRows, [&](int column, int row) {
+        const auto& of = cells[static_cast<size_t>((kRows - 1 - row) * kColumns + column)];
+        return std::string(colors()[step_of(colors(), of[way])].fill);
+    });
     for (const int z : {-40, -20, 0, 20, 40})
-        svg.text(left + (z + 40.5) * kWide, top + kRows * kHigh + 15, std::to_string(z));
+        svg +=
+            centred_text({left + (z + 40.5) * kWide, top + kRows * kHigh + 15}, std::to_string(z));
     for (const int power : {0, 2, 4})
-        svg.text(left - 6, top + (kRows - 0.5 - 4 * power) * kHigh + 4,
-                 "1e" + std::to_string(power), "end");
+        svg += report::svg_text({left - 6, top + (kRows - 0.5 - 4 * power) * kHigh + 4},
+                                "1e" + std::to_string(power), "text-anchor=\"end\"");
+    return svg;
 }
 
-int draw(const std::string& file)
-{
-    std::vector<Errors> cells;
-    for (int r = 0; r < kRows; ++r)
-        for (int c = 0; c < kColumns; ++c)
-            cells.push_back(cell(c - 40, std::pow(10.0, r / 4.0)));
+constexpr std::array<const char*, kWays> kTitles = {"published, as printed (double)",
+                                                    "published, mended (double)", "Scree, double",
+                                                    "Scree, float"};
 
-    Svg svg(file);
-    const std::array<const char*, kWays> titles = {"published, as printed (double)",
-                                                   "published, mended (double)", "Scree, double",
-                                                   "Scree, float"};
-    for (size_t way = 0; way < kWays; ++way)
-        draw_panel(svg, way % 2 == 0 ? 60 : 460, way < 2 ? 40 : 270, titles[way], cells, way);
-    svg.text(410, 478, "z = a / b across, ratio of the slope's standard deviations upwards");
-    double x = 90;
-    for (const Color& color : kColors) {
-        svg.rect(x, 492, 14, 14, color.fill);
-        svg.text(x + 20, 504, color.label, "start");
-        x += 96;
-    }
-    if (!svg.close()) {
-        std::fprintf(stderr, "%s: cannot be written\n", file.c_str());
-        return 1;
-    }
+void print_worst(const std::vector<Errors>& cells)
+{
     for (size_t way = 0; way < kWays; ++way) {
         const auto worst =
             std::max_element(cells.begin(), cells.end(),
                              [&](const Errors& a, const Errors& b) { return a[way] < b[way]; });
         const auto bad = std::count_if(cells.begin(), cells.end(),
                                        [&](const Errors& e) { return !(e[way] <= 1e-4); });
-        std::printf("%-32s worst error %8.2g   above 1e-4 in %4.1f %% of the map\n", titles[way],
+        std::printf("%-32s worst error %8.2g   above 1e-4 in %4.1f %% of the map\n", kTitles[way],
                     (*worst)[way], 100.0 * static_cast<double>(bad) / (kRows * kColumns));
     }
-    return 0;
+}
+
+std::string draw()
+{
+    std::vector<Errors> cells;
+    for (int r = 0; r < kRows; ++r)
+        for (int c = 0; c < kColumns; ++c)
+            cells.push_back(cell(c - 40, std::pow(10.0, r / 4.0)));
+    print_worst(cells);
+
+    std::string svg;
+    for (size_t way = 0; way < kWays; ++way)
+        svg += panel(way % 2 == 0 ? 60 : 460, way < 2 ? 40 : 270, kTitles[way], cells, way);
+    svg += centred_text({410, 478},
+                        "z = a / b across, ratio of the slope's standard deviations upwards");
+    return drawing(820, 520, svg + color_key({90, 492}, 96, colors()));
 }
 
 } // namespace
 } // namespace scree::test
 
-int main(int argc, char** argv)
-{
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: %s OUTPUT.svg\n", argv[0]);
-        return 2;
-    }
-    return scree::test::draw(argv[1]);
-}
+int main(int argc, char** argv) { return scree::test::draw_to_file(argc, argv, scree::test::draw); }
