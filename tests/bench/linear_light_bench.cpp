@@ -18,8 +18,7 @@
 #include <functional>
 #include <vector>
 
-#include "kernel/linear_light.h"
-#include "kernel/linear_light_oracle.h"
+#include "kernel/linear_scenes.h"
 #include "report/chart.h"
 #include "tables/linear_light_table.h"
 
@@ -213,13 +212,11 @@ struct Configurations {
     {
         std::mt19937 random(20);
         while (lit.size() < kConfigurations) {
-            const LinearScene scene = random_scene(random, sigma2, 0.3);
+            const LinearScene scene = random_scene(random, sigma2, kLowestView);
             const double reflected = reflected_exactly(scene);
             if (reflected <= 0)
                 continue;
-            lit.push_back({{V3f(scene.from), V3f(scene.to), V3f(scene.light_normal)},
-                           V3f(scene.normal),
-                           V3f(scene.viewer),
+            lit.push_back({light_of<float>(scene), V3f(scene.normal), V3f(scene.viewer),
                            static_cast<float>(sigma2)});
             truth.push_back(reflected);
         }
@@ -227,13 +224,10 @@ struct Configurations {
 
     [[nodiscard]] double error(const Way& way) const
     {
-        double error = 0, value = 0;
-        for (size_t i = 0; i < lit.size(); ++i) {
-            const double got = static_cast<double>(way.reflect(lit[i]));
-            error += (got - truth[i]) * (got - truth[i]);
-            value += truth[i] * truth[i];
-        }
-        return std::sqrt(error / value);
+        RelativeRms error;
+        for (size_t i = 0; i < lit.size(); ++i)
+            error.add(static_cast<double>(way.reflect(lit[i])), truth[i]);
+        return error.value();
     }
 };
 

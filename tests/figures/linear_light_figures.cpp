@@ -7,74 +7,21 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
 
-#include "kernel/linear_light.h"
-#include "kernel/linear_light_oracle.h"
+#include "kernel/linear_scenes.h"
 #include "tables/linear_light_table.h"
 
 namespace scree::test {
 namespace {
 
-using filter::LinearPeak;
 using filter::LinearView;
 using Imath::V3d;
-using Imath::V3f;
 
 constexpr int kCount = 4000;
-constexpr double kLowestView = 0.3;
 constexpr double kPi = 3.14159265358979323846;
-
-class RelativeRms {
-public:
-    void add(double got, double want)
-    {
-        error_ += (got - want) * (got - want);
-        value_ += want * want;
-    }
-    [[nodiscard]] double percent() const { return 100 * std::sqrt(error_ / value_); }
-
-private:
-    double error_ = 0, value_ = 0;
-};
-
-template <class Look>
-void look_at(double sigma2, double lowest_view, const Look& look)
-{
-    std::mt19937 random(20);
-    for (int i = 0; i < kCount; ++i) {
-        const LinearScene scene = random_scene(random, sigma2, lowest_view);
-        const LinearAngles angles = angles_of(scene);
-        if (angles.last > angles.first)
-            look(scene, angles);
-    }
-}
-
-template <typename Real>
-LinearView<Real> view_of(const LinearScene& scene)
-{
-    using V3 = Imath::Vec3<Real>;
-    return filter::linear_view(
-        filter::LinearLight<Real>{V3(scene.from), V3(scene.to), V3(scene.light_normal)},
-        V3(scene.normal), V3(scene.viewer));
-}
-
-template <typename Real>
-double lobe_of(const LinearView<Real>& view, const LinearPeak<Real>& peak, Real k, double sigma2)
-{
-    Real centre = 0;
-    return static_cast<double>(kernel::scree_linear_integral(
-        view.first, view.last, peak.phi, k, peak.tan2, static_cast<Real>(sigma2), centre));
-}
-
-double curved_k(const LinearView<double>& view, const LinearPeak<double>& peak)
-{
-    const double ln = view.normal.x * std::cos(peak.phi) + view.normal.y * std::sin(peak.phi);
-    return kernel::scree_linear_curved_k(peak.k, peak.tan2, view.viewer.dot(view.normal), ln);
-}
 
 void print_steps()
 {
@@ -85,7 +32,7 @@ void print_steps()
         "| --- | --- | --- | --- | --- | --- | --- |\n");
     for (const double sigma2 : {0.0005, 0.002, 0.02, 0.1, 0.3}) {
         RelativeRms at_phi, at_middle, gaussian, bend, published, ours;
-        look_at(sigma2, kLowestView, [&](const LinearScene& scene, const LinearAngles& angles) {
+        look_at_scenes(kCount, sigma2, [&](const LinearScene& scene, const LinearAngles& angles) {
             const auto view = view_of<double>(scene);
             const auto peak = filter::linear_peak(view.viewer, view.normal, 8);
             const double full = reflected_exactly(scene), lobe = lobe_integral(scene, angles);
@@ -125,7 +72,7 @@ void print_tables()
                    size.normals, size.azimuths, static_cast<double>(table.values.size()) * 4e-3);
         for (const double sigma2 : {0.002, 0.02, 0.3}) {
             RelativeRms added;
-            look_at(sigma2, kLowestView, [&](const LinearScene& scene, const LinearAngles&) {
+            look_at_scenes(kCount, sigma2, [&](const LinearScene& scene, const LinearAngles&) {
                 const auto view = view_of<float>(scene);
                 const auto exact = filter::linear_peak(view.viewer, view.normal, 8);
                 const auto looked_up = table.peak(view.viewer, view.normal);
@@ -150,16 +97,19 @@ void print_bins(const char* title, const std::vector<std::string>& names, const 
         std::vector<RelativeRms> gaussian(names.size()), points(names.size());
         std::vector<double> energy(names.size());
         double all = 0;
-        look_at(sigma2, 0.02, [&](const LinearScene& scene, const LinearAngles&) {
-            const auto view = view_of<double>(scene);
-            const auto bin = static_cast<size_t>(bin_of(scene, view));
-            const auto peak = filter::linear_peak(view.viewer, view.normal, 8);
-            const double full = reflected_exactly(scene);
-            gaussian[bin].add(filter::linear_reflection(view, peak, sigma2), full);
-            points[bin].add(filter::linear_quadrature(view, peak, sigma2, 2), full);
-            energy[bin] += full;
-            all += full;
-        });
+        look_at_scenes(
+            kCount, sigma2,
+            [&](const LinearScene& scene, const LinearAngles&) {
+                const auto view = view_of<double>(scene);
+                const auto bin = static_cast<size_t>(bin_of(scene, view));
+                const auto peak = filter::linear_peak(view.viewer, view.normal, 8);
+                const double full = reflected_exactly(scene);
+                gaussian[bin].add(filter::linear_reflection(view, peak, sigma2), full);
+                points[bin].add(filter::linear_quadrature(view, peak, sigma2, 2), full);
+                energy[bin] += full;
+                all += full;
+            },
+            0.02);
         for (size_t i = 0; i < names.size(); ++i)
             rows[i] += fmt::format(" {:.1f} / {:.2f} ({:.0f} %) |", gaussian[i].percent(),
                                    points[i].percent(), 100 * energy[i] / all);

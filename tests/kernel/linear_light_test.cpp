@@ -7,28 +7,16 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 
-#include "kernel/linear_light_oracle.h"
+#include "kernel/linear_scenes.h"
 
 namespace scree::test {
 namespace {
 
-using filter::LinearLight;
 using filter::LinearPeak;
 using filter::LinearView;
 using Imath::V3d;
-using Imath::V3f;
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kLowestView = 0.3; ///< cosine; nearer to grazing every step costs more
-
-template <typename Real>
-LinearView<Real> view_of(const LinearScene& scene)
-{
-    using V3 = Imath::Vec3<Real>;
-    return filter::linear_view(
-        LinearLight<Real>{V3(scene.from), V3(scene.to), V3(scene.light_normal)}, V3(scene.normal),
-        V3(scene.viewer));
-}
 
 template <typename Real>
 LinearPeak<Real> peak_of(const LinearView<Real>& view)
@@ -38,33 +26,6 @@ LinearPeak<Real> peak_of(const LinearView<Real>& view)
 
 /// Difference of two angles, whole turns aside.
 double turn_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * kPi)); }
-
-/// Root mean square of differences over that of the values they are of.
-class RelativeRms {
-public:
-    void add(double got, double want)
-    {
-        error_ += (got - want) * (got - want);
-        value_ += want * want;
-    }
-    [[nodiscard]] double value() const { return std::sqrt(error_ / value_); }
-
-private:
-    double error_ = 0, value_ = 0;
-};
-
-/// Calls look(scene, angles) for random scenes in which something of the light is seen.
-template <class Look>
-void look_at_scenes(int count, double sigma2, const Look& look)
-{
-    std::mt19937 random(20);
-    for (int i = 0; i < count; ++i) {
-        const LinearScene scene = random_scene(random, sigma2, kLowestView);
-        const LinearAngles angles = angles_of(scene);
-        if (angles.last > angles.first)
-            look(scene, angles);
-    }
-}
 
 TEST(LinearLight, ErrorFunction)
 {
@@ -150,10 +111,7 @@ TEST(LinearLight, TheGaussianStepCostsWhatWasMeasured)
         look_at_scenes(3000, sigma2, [&](const LinearScene& scene, const LinearAngles& angles) {
             const LinearView<double> view = view_of<double>(scene);
             const LinearPeak<double> peak = peak_of(view);
-            double centre = 0;
-            error.add(kernel::scree_linear_integral(view.first, view.last, peak.phi, peak.k,
-                                                    peak.tan2, scene.sigma2, centre),
-                      lobe_integral(scene, angles));
+            error.add(lobe_of(view, peak, peak.k, sigma2), lobe_integral(scene, angles));
         });
         EXPECT_NEAR(error.value(), want, 0.1 * want) << sigma2;
     }
@@ -213,17 +171,9 @@ TEST(LinearLight, TheBendOfTheCurveBelongsIntoK)
     look_at_scenes(1500, 0.002, [&](const LinearScene& scene, const LinearAngles& angles) {
         const auto view = view_of<double>(scene);
         const auto peak = peak_of(view);
-        const double ln = view.normal.x * std::cos(peak.phi) + view.normal.y * std::sin(peak.phi);
-        const double k =
-            kernel::scree_linear_curved_k(peak.k, peak.tan2, view.viewer.dot(view.normal), ln);
         const double want = lobe_integral(scene, angles);
-        double centre = 0;
-        straight.add(kernel::scree_linear_integral(view.first, view.last, peak.phi, peak.k,
-                                                   peak.tan2, scene.sigma2, centre),
-                     want);
-        curved.add(kernel::scree_linear_integral(view.first, view.last, peak.phi, k, peak.tan2,
-                                                 scene.sigma2, centre),
-                   want);
+        straight.add(lobe_of(view, peak, peak.k, scene.sigma2), want);
+        curved.add(lobe_of(view, peak, curved_k(view, peak), scene.sigma2), want);
     });
     EXPECT_LT(3 * curved.value(), straight.value());
 }
