@@ -13,13 +13,16 @@ namespace scree::tool {
 
 namespace {
 
-constexpr const char* kAnglesResolution = "32x128x64";
-constexpr const char* kConeResolution = "32x64x32";
-
 struct LinearLightWords {
     TableWords table;
-    std::string coordinates = "angles", resolution;
+    std::string coordinates = "cone", resolution;
 };
+
+std::string usual_word(LinearLightCoordinates coordinates)
+{
+    const LinearLightResolution size = usual_resolution(coordinates);
+    return fmt::format("{}x{}x{}", size.views, size.normals, size.azimuths);
+}
 
 /// "VxNxP", each 2 to 4096. Throws UsageError.
 LinearLightResolution resolution_named(const std::string& word)
@@ -36,7 +39,7 @@ LinearLightResolution resolution_named(const std::string& word)
         valid = valid && (last ? next == end : next != end && *next == 'x');
         if (!valid)
             throw UsageError(fmt::format("--resolution: expected three numbers from {} to {}, "
-                                         "such as 32x128x64, got '{}'",
+                                         "such as 32x64x32, got '{}'",
                                          kLeast, kMost, word));
         at = last ? next : next + 1;
     }
@@ -45,12 +48,11 @@ LinearLightResolution resolution_named(const std::string& word)
 
 void run(const CLI::App& command, const LinearLightWords& words)
 {
-    const auto coordinates =
-        words.coordinates == "cone" ? LinearLightCoordinates::cone : LinearLightCoordinates::angles;
-    const bool cone = coordinates == LinearLightCoordinates::cone;
-    const LinearLightResolution size = resolution_named(!words.resolution.empty() ? words.resolution
-                                                        : cone                    ? kConeResolution
-                                                               : kAnglesResolution);
+    const auto coordinates = words.coordinates == "angles" ? LinearLightCoordinates::angles
+                                                           : LinearLightCoordinates::cone;
+    const LinearLightResolution size = words.resolution.empty()
+                                           ? usual_resolution(coordinates)
+                                           : resolution_named(words.resolution);
     make_table(command, "linear-light", words.table,
                [coordinates, &size](const std::function<void(double)>& progress) {
                    return MadeTable{linear_light_manifest(coordinates, size),
@@ -63,18 +65,20 @@ void run(const CLI::App& command, const LinearLightWords& words)
 void add_linear_light_table(CLI::App& table)
 {
     auto words = std::make_shared<LinearLightWords>();
-    auto* command = table.add_subcommand(
-        "linear-light", "where the reflection of a linear light is brightest: Phi, k, tan^2 alpha");
+    auto* command =
+        table.add_subcommand("linear-light", "where the reflection of a linear light is brightest");
     command
         ->add_option("--coordinates", words->coordinates,
-                     "angles: Phi, k, tan^2 alpha over cos theta_v, cos theta_n, phi_n; cone: one "
-                     "number, from which they follow, over coordinates that no jump of Phi crosses")
-        ->check(CLI::IsMember({"angles", "cone"}))
+                     "cone: one number, from which Phi, k and tan^2 alpha follow, over coordinates "
+                     "that no jump of Phi crosses; angles: the three over cos theta_v, cos "
+                     "theta_n, phi_n")
+        ->check(CLI::IsMember({"cone", "angles"}))
         ->capture_default_str();
     command
         ->add_option("--resolution", words->resolution,
-                     fmt::format("texels along the three axes [{}; of cone {}]", kAnglesResolution,
-                                 kConeResolution))
+                     fmt::format("texels along the three axes [{}; over angles {}]",
+                                 usual_word(LinearLightCoordinates::cone),
+                                 usual_word(LinearLightCoordinates::angles)))
         ->option_text("VxNxP");
     add_table_options(*command, words->table);
     command->callback([command, words] { run(*command, *words); });

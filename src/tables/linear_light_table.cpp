@@ -119,6 +119,13 @@ filter::LinearPeak<float> peak_over_cone(const LinearLightTable& table, const Im
 
 } // namespace
 
+LinearLightResolution usual_resolution(LinearLightCoordinates coordinates)
+{
+    if (coordinates == LinearLightCoordinates::angles)
+        return {32, 128, 64};
+    return {32, 64, 32};
+}
+
 filter::LinearPeak<float> LinearLightTable::peak(const Imath::V3f& viewer,
                                                  const Imath::V3f& normal) const
 {

@@ -21,13 +21,18 @@ enum class LinearLightCoordinates {
 
 /// Texels along the three axes, each 2 or more.
 struct LinearLightResolution {
-    int views = 32, normals = 128, azimuths = 64;
+    int views = 0, normals = 0, azimuths = 0;
 };
+
+/// Over angles the source's, 32x128x64. Over the cone 32x64x32: what a lookup adds stays below a
+/// tenth of the Gaussian's own error [tests/tables/linear_light_table_test.cpp]; over angles no
+/// useful size does that (docs/tables.md).
+LinearLightResolution usual_resolution(LinearLightCoordinates coordinates);
 
 /// Where the reflection of a linear light is brightest, tabulated. The first texel of each axis
 /// holds its first value and the last its last.
 struct LinearLightTable {
-    LinearLightCoordinates coordinates = LinearLightCoordinates::angles;
+    LinearLightCoordinates coordinates = LinearLightCoordinates::cone;
     LinearLightResolution size;
     std::vector<float> values; ///< of each texel; first axis fastest, then the second
 

@@ -41,13 +41,12 @@ struct Lit {
 };
 
 struct Tables {
-    LinearLightTable angles = make(LinearLightCoordinates::angles, {32, 128, 64});
-    LinearLightTable cone = make(LinearLightCoordinates::cone, {32, 64, 32});
+    LinearLightTable angles = make(LinearLightCoordinates::angles);
+    LinearLightTable cone = make(LinearLightCoordinates::cone);
 
-    static LinearLightTable make(LinearLightCoordinates coordinates,
-                                 const LinearLightResolution& size)
+    static LinearLightTable make(LinearLightCoordinates coordinates)
     {
-        return linear_light_table(coordinates, size, [](double) {});
+        return linear_light_table(coordinates, usual_resolution(coordinates), [](double) {});
     }
 };
 

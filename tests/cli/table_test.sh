@@ -1,19 +1,24 @@
 # scree table: a folder with a texture and its manifest, whole or not at all.
 . "$(dirname "$0")/lib.sh"
 
-expect_success 'default folder' -- "$scree" table linear-light --resolution 4x5x6
+expect_success 'default folder' -- \
+    "$scree" table linear-light --coordinates angles --resolution 4x5x6
 expect_equal 'its files' "$(ls linear-light | tr '\n' ' ')" \
     'linear-light.exr linear-light.scree-table.json '
 grep -q '"resolution": "4x5x6"' linear-light/linear-light.scree-table.json ||
     fail 'the manifest does not record --resolution'
 grep -q '4 cos theta_v x 5 cos theta_n x 6 phi_n' stdout || fail "no summary: $(cat stdout)"
 
-expect_success 'over the cone' -- "$scree" table linear-light --coordinates cone -o cone
+expect_success 'over the cone when nothing else is said' -- "$scree" table linear-light -o cone
 grep -q '"quantity": "stretch"' cone/linear-light.scree-table.json || fail 'no stretch over the cone'
+grep -q '32 cos theta_v x 64 (r + 1) / (r + 3) x 32 side' stdout || fail "no summary: $(cat stdout)"
+expect_success 'over angles as the source has it' -- \
+    "$scree" table linear-light --coordinates angles -o angles
+grep -q '32 cos theta_v x 128 cos theta_n x 64 phi_n' stdout || fail "no summary: $(cat stdout)"
 
 before=$(fingerprint linear-light)
 expect_success 'again, one thread, quiet' -- \
-    "$scree" table linear-light --resolution 4x5x6 --threads 1 --quiet
+    "$scree" table linear-light --coordinates angles --resolution 4x5x6 --threads 1 --quiet
 expect_equal 'quiet' "$(cat stdout stderr)" ''
 expect_equal 'the same bytes with one thread' "$(fingerprint linear-light)" "$before"
 

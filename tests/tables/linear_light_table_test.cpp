@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
-#include "kernel/linear_light_oracle.h"
+#include "kernel/linear_scenes.h"
 
 namespace scree {
 namespace {
@@ -125,6 +124,11 @@ TEST(LinearLightTable, ALookupAtATexelIsTheTexel)
             }
 }
 
+LinearLightTable usual_table(LinearLightCoordinates coordinates)
+{
+    return linear_light_table(coordinates, usual_resolution(coordinates), [](double) {});
+}
+
 /// Largest error of tan^2 alpha where it matters, below 0.1, of views from above 17 degrees.
 float worst_tan2(const LinearLightTable& table)
 {
@@ -146,41 +150,32 @@ float worst_tan2(const LinearLightTable& table)
 // peaks near the edges; over the cone tan^2 is at a minimum in what is interpolated.
 TEST(LinearLightTable, OverTheConeInterpolationCostsHundredsOfTimesLess)
 {
-    const float angles = worst_tan2(
-        linear_light_table(LinearLightCoordinates::angles, {32, 128, 64}, [](double) {}));
-    const float cone =
-        worst_tan2(linear_light_table(LinearLightCoordinates::cone, {32, 64, 32}, [](double) {}));
+    const float angles = worst_tan2(usual_table(LinearLightCoordinates::angles));
+    const float cone = worst_tan2(usual_table(LinearLightCoordinates::cone));
     RecordProperty("angles", std::to_string(angles));
     RecordProperty("cone", std::to_string(cone));
     EXPECT_LT(cone, 1e-4F);
     EXPECT_GT(angles, 100 * cone);
 }
 
-// Rms of what looking up changes in the Gaussian of W, over rms of that: the Gaussian's own error
-// is 0.97 % at sigma^2 = 0.002 and grows from there (tests/kernel/linear_light_test.cpp).
+// What looking up changes in the Gaussian of W, against what that Gaussian is off from W by
+// quadrature; each rms.
 TEST(LinearLightTable, OverTheConeALookupAddsLessThanATenthOfTheGaussiansError)
 {
-    const auto table =
-        linear_light_table(LinearLightCoordinates::cone, {32, 64, 32}, [](double) {});
-    std::mt19937 random(3);
-    double error = 0, value = 0;
-    for (int i = 0; i < 4000; ++i) {
-        const auto scene = test::random_scene(random, 0.002, 0.3);
-        const auto view = filter::linear_view(
-            filter::LinearLight<float>{Imath::V3f(scene.from), Imath::V3f(scene.to),
-                                       Imath::V3f(scene.light_normal)},
-            Imath::V3f(scene.normal), Imath::V3f(scene.viewer));
-        auto lobe = [&view](const filter::LinearPeak<float>& peak) {
-            float centre = 0;
-            return static_cast<double>(kernel::scree_linear_integral(
-                view.first, view.last, peak.phi, peak.k, peak.tan2, 0.002F, centre));
-        };
-        const double want = lobe(filter::linear_peak(view.viewer, view.normal, 8));
-        error += std::pow(lobe(table.peak(view.viewer, view.normal)) - want, 2);
-        value += want * want;
+    const auto table = usual_table(LinearLightCoordinates::cone);
+    for (const double sigma2 : {0.002, 0.02, 0.3}) {
+        test::RelativeRms added, gaussian;
+        test::look_at_scenes(
+            2000, sigma2, [&](const test::LinearScene& scene, const test::LinearAngles& angles) {
+                const auto view = test::view_of<float>(scene);
+                const auto solved = filter::linear_peak(view.viewer, view.normal, 8);
+                const auto found = table.peak(view.viewer, view.normal);
+                const double lobe = test::lobe_of(view, solved, solved.k, sigma2);
+                added.add(test::lobe_of(view, found, found.k, sigma2), lobe);
+                gaussian.add(lobe, test::lobe_integral(scene, angles));
+            });
+        EXPECT_LT(added.value(), gaussian.value() / 10) << sigma2;
     }
-    ASSERT_GT(value, 0);
-    EXPECT_LT(std::sqrt(error / value), 0.0097 / 10);
 }
 
 TEST(LinearLightTable, TellsItsProgressAndStopsWhenThatThrows)
