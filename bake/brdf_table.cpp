@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <charconv>
 #include <map>
 #include <memory>
 
@@ -17,6 +16,8 @@ namespace scree::tool {
 
 namespace {
 
+constexpr const char* kUsualSize = "32x32x16";
+
 struct BrdfWords {
     TableWords table;
     SetWords set;
@@ -24,27 +25,8 @@ struct BrdfWords {
     EffectiveBrdfOptions brdf;
     bool reference = false, compare = false;
     int samples = 64;
-    std::string parametrization = "hybrid", size = "32x32x16", spacing = "angle", second = "fitted";
+    std::string parametrization = "hybrid", size = kUsualSize, spacing = "angle", second = "fitted";
 };
-
-/// "AxBxC", each 2 to 1024. Throws UsageError.
-std::array<int, 3> size_named(const std::string& word)
-{
-    constexpr int kLeast = 2, kMost = 1024;
-    std::array<int, 3> size{};
-    const char* at = word.data();
-    const char* end = at + word.size();
-    for (size_t axis = 0; axis < 3; ++axis) {
-        const auto [next, failed] = std::from_chars(at, end, size[axis]);
-        const bool ends = axis == 2 ? next == end : next != end && *next == 'x';
-        if (failed != std::errc() || size[axis] < kLeast || size[axis] > kMost || !ends)
-            throw UsageError(fmt::format("--size: expected three numbers from {} to {}, such as "
-                                         "32x32x16, got '{}'",
-                                         kLeast, kMost, word));
-        at = axis == 2 ? next : next + 1;
-    }
-    return size;
-}
 
 BrdfParametrization parametrization_named(const std::string& word)
 {
@@ -64,8 +46,9 @@ BrdfSpacing spacing_named(const std::string& word)
 
 BrdfGrid grid_of(const BrdfWords& words)
 {
-    return {parametrization_named(words.parametrization), size_named(words.size),
-            spacing_named(words.spacing), words.second == "fitted"};
+    return {parametrization_named(words.parametrization),
+            sizes_named("--size", words.size, 1024, kUsualSize), spacing_named(words.spacing),
+            words.second == "fitted"};
 }
 
 BrdfSource traced_source(const BrdfWords& words, const BakeMonitor& monitor)
@@ -127,7 +110,7 @@ void add_brdf_table(CLI::App& table)
         ->check(CLI::IsMember({"half-difference", "orthographic", "hybrid"}))
         ->capture_default_str();
     command->add_option("--size", words->size, "nodes along the three axes")
-        ->option_text("AxBxC [32x32x16]");
+        ->option_text("AxBxC [" + std::string(kUsualSize) + "]");
     command
         ->add_option(
             "--spacing", words->spacing,

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
 
 #include "bake/table.h"
@@ -24,35 +23,16 @@ std::string usual_word(LinearLightCoordinates coordinates)
     return fmt::format("{}x{}x{}", size.views, size.normals, size.azimuths);
 }
 
-/// "VxNxP", each 2 to 4096. Throws UsageError.
-LinearLightResolution resolution_named(const std::string& word)
-{
-    constexpr int kLeast = 2, kMost = 4096;
-    LinearLightResolution size;
-    const char* at = word.data();
-    const char* end = at + word.size();
-    bool valid = true;
-    for (int* number : {&size.views, &size.normals, &size.azimuths}) {
-        const auto [next, failed] = std::from_chars(at, end, *number);
-        valid = valid && failed == std::errc() && *number >= kLeast && *number <= kMost;
-        const bool last = number == &size.azimuths;
-        valid = valid && (last ? next == end : next != end && *next == 'x');
-        if (!valid)
-            throw UsageError(fmt::format("--resolution: expected three numbers from {} to {}, "
-                                         "such as 32x64x32, got '{}'",
-                                         kLeast, kMost, word));
-        at = last ? next : next + 1;
-    }
-    return size;
-}
-
 void run(const CLI::App& command, const LinearLightWords& words)
 {
     const auto coordinates = words.coordinates == "angles" ? LinearLightCoordinates::angles
                                                            : LinearLightCoordinates::cone;
-    const LinearLightResolution size = words.resolution.empty()
-                                           ? usual_resolution(coordinates)
-                                           : resolution_named(words.resolution);
+    LinearLightResolution size = usual_resolution(coordinates);
+    if (!words.resolution.empty()) {
+        const auto [views, normals, azimuths] =
+            sizes_named("--resolution", words.resolution, 4096, usual_word(coordinates));
+        size = {views, normals, azimuths};
+    }
     make_table(command, "linear-light", words.table,
                [coordinates, &size](const std::function<void(double)>& progress) {
                    return MadeTable{linear_light_manifest(coordinates, size),

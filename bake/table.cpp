@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include "bake/checks.h"
 #include "bake/commands.h"
 #include "bake/given_options.h"
@@ -47,6 +49,25 @@ void add_table_options(CLI::App& command, TableWords& words)
     command.add_flag("--quiet", words.quiet, "no progress, no summary");
 }
 
+std::array<int, 3> sizes_named(const std::string& option, const std::string& word, int most,
+                               const std::string& usual)
+{
+    constexpr int kLeast = 2;
+    std::array<int, 3> sizes{};
+    const char* at = word.data();
+    const char* end = at + word.size();
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const auto [next, failed] = std::from_chars(at, end, sizes[axis]);
+        const bool ends = axis == 2 ? next == end : next != end && *next == 'x';
+        if (failed != std::errc() || sizes[axis] < kLeast || sizes[axis] > most || !ends)
+            throw UsageError(
+                fmt::format("{}: expected three numbers from {} to {}, such as {}, got '{}'",
+                            option, kLeast, most, usual, word));
+        at = axis == 2 ? next : next + 1;
+    }
+    return sizes;
+}
+
 void make_table(const CLI::App& command, const std::string& kind, const TableWords& words,
                 const std::function<MadeTable(const std::function<void(double)>& progress)>& make)
 {
@@ -55,7 +76,8 @@ void make_table(const CLI::App& command, const std::string& kind, const TableWor
     note_for_supervisor({}, output);
     MadeTable made;
     {
-        StagedFolder folder(output, FolderKind::table); // first, so that a bad -o fails before the work
+        StagedFolder folder(output,
+                            FolderKind::table); // first, so that a bad -o fails before the work
         const ThreadLimit limit(words.threads);
         Progress progress(words.quiet);
         made = make([&progress](double done) {

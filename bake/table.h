@@ -1,6 +1,6 @@
 #pragma once
 
-#include <atomic>
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -23,6 +23,12 @@ struct TableWords {
 
 /// Adds -o, --threads and --quiet.
 void add_table_options(CLI::App& command, TableWords& words);
+
+/// "AxBxC", each 2 to `most`. Throws UsageError naming the option.
+///
+/// usual  what the error gives as an example
+std::array<int, 3> sizes_named(const std::string& option, const std::string& word, int most,
+                               const std::string& usual);
 
 /// What stands in the file.
 struct MadeTable {

@@ -109,7 +109,7 @@ TEST(TableFile, TheManifestStatesSizesRangesUnitsAndFile)
     EXPECT_EQ(json.at("channels").at(1).at("name"), "G");
     EXPECT_EQ(json.at("channels").at(1).at("unit"), "radians");
     EXPECT_EQ(json.at("options").at("resolution"), "3x2x4");
-    EXPECT_EQ(json.at("figures").at("error rms"), 0.25);
+    EXPECT_EQ(json.at("figures").at("rms error"), 0.25);
 }
 
 TEST(TableFile, AnotherFormatIsNoTable)
