@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kTolerance = 1e-5;
-constexpr size_t kIsotropic = 12, kReach = 19, kBeyond = 22, kBack = 34;
+constexpr size_t kIsotropic = 12, kReach = 19, kBeyond = 22, kBack = 34, kPlace = 52;
 
 filter::Directions<double> directions_of(const BrdfCase& row)
 {
@@ -74,6 +74,21 @@ void expect_coordinates(const filter::Directions<double>& w, const BrdfOutputs& 
             << "output " << i << " is " << got[i] << ", in C++ " << all[i].first;
 }
 
+/// As what they are of: the angle of x, the share of y, the azimuth of z.
+void expect_place(const filter::Directions<double>& w, const BrdfOutputs& got)
+{
+    const auto want = filter::hybrid_place(w);
+    const auto c = filter::isotropic_coordinates(w);
+    const double x = got[kPlace], y = got[kPlace + 1], z = got[kPlace + 2];
+    for (const double each : {x, y, z})
+        EXPECT_TRUE(each >= 0 && each <= 1) << each;
+    EXPECT_NEAR(std::sin(x * x * kPi / 2), std::sin(want.x * want.x * kPi / 2), kTolerance);
+    const double reach = kernel::scree_hybrid_reach(c.h_bar, c.azimuth);
+    EXPECT_LT(std::abs(std::sin(y * kPi / 2) - std::sin(want.y * kPi / 2)) * reach * c.h_bar * c.k,
+              10 * kTolerance); // the reach by the azimuth, with its rounding
+    EXPECT_LT(std::abs(z - want.z) * c.h_bar * c.k_bar, kTolerance);
+}
+
 void expect_beyond(const BrdfCase& row, const BrdfOutputs& got)
 {
     const double h = static_cast<double>(row[6]);
@@ -132,6 +147,8 @@ void expect_brdf_agreement(const std::vector<BrdfCase>& cases,
         expect_round_trips(w, answers[n]);
         if (w.wo.z > 1e-2 || w.wi.z > 1e-2)
             expect_coordinates(w, answers[n]);
+        if (std::min(w.wo.z, w.wi.z) > 1e-2)
+            expect_place(w, answers[n]);
         expect_beyond(cases[n], answers[n]);
         if (testing::Test::HasFailure())
             return; // one is enough

@@ -14,7 +14,8 @@ using BrdfCase = std::array<float, 12>;
 
 /// Coordinates of wo and wi: 4 of half/difference, 4 orthographic, 4 hybrid, 7 isotropic; the
 /// three reaches; wo.z, wi.z, |wo|^2, |wi|^2 of the given coordinates in the three systems; wo and
-/// wi of the coordinates that were made of them, in the three systems; four not used.
+/// wi of the coordinates that were made of them, in the three systems; the place of wo and wi in a
+/// table; one not used.
 using BrdfOutputs = std::array<float, 56>;
 
 /// Directions of direction_pairs(), every fourth of the grid and the random ones, and coordinates

@@ -19,8 +19,8 @@ void main()
     scree_from_half_difference(o[0], o[1], o[2], o[3], o[34], o[35], o[36], o[37], o[38], o[39]);
     scree_from_orthographic(o[4], o[5], o[6], o[7], o[40], o[41], o[42], o[43], o[44], o[45]);
     scree_from_hybrid(o[8], o[9], o[10], o[11], o[46], o[47], o[48], o[49], o[50], o[51]);
-    for (int k = 52; k < 56; ++k)
-        o[k] = 0.0;
+    scree_hybrid_place(a.x, a.y, a.z, a.w, b.x, b.y, o[52], o[53], o[54]);
+    o[55] = 0.0;
     int first = 4 * int(gl_FragCoord.x);
     result = vec4(o[first], o[first + 1], o[first + 2], o[first + 3]);
 }

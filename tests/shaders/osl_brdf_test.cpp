@@ -14,7 +14,7 @@ namespace {
 
 TEST_F(Osl, BrdfCoordinatesAgree)
 {
-    constexpr size_t kOfRun = 18; // numbers that a run writes
+    constexpr size_t kOfRun = 21; // numbers that a run writes
     const auto cases = brdf_cases();
     write_image(temp_ / "cases.exr", brdf_image(cases));
     compile("tests/shaders/brdf_cases.osl");
@@ -24,9 +24,9 @@ TEST_F(Osl, BrdfCoordinatesAgree)
             shade(words("-g 1 " + std::to_string(cases.size()) +
                         " --param file cases.exr --param part " + std::to_string(part) +
                         " -o o0 o0.exr -o o1 o1.exr -o o2 o2.exr -o o3 o3.exr -o o4 o4.exr"
-                        " -o o5 o5.exr brdf_cases"));
+                        " -o o5 o5.exr -o o6 o6.exr brdf_cases"));
         ASSERT_EQ(result.status, 0) << result.said;
-        for (size_t i = 0; i < kOfRun; ++i) {
+        for (size_t i = 0; i < kOfRun && kOfRun * part + i < answers[0].size(); ++i) {
             const Image image = output("o" + std::to_string(i / 3));
             ASSERT_EQ(image.height, static_cast<int>(cases.size()));
             for (size_t n = 0; n < cases.size(); ++n)
