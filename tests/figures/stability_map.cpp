@@ -70,7 +70,7 @@ Moments moments(const Outputs<Real>& out)
 
 Moments published(const KernelCase& row, Form form)
 {
-    const auto in = [&](Input i) { return static_cast<double>(row.in[i]); };
+    const auto in = [&](Input i) { return static_cast<double>(row.in[static_cast<size_t>(i)]); };
     const double theta = std::atan2(std::hypot(in(kWox), in(kWoy)), in(kWoz));
     const PublishedResult r =
         published_visible_slopes(in(kMeanS), in(kMeanT), in(kCss), in(kCst), in(kCtt), theta,
@@ -113,7 +113,8 @@ std::string panel(double left, double top, const std::string& title,
     std::string svg =
         centred_text({left + kWide * kColumns / 2, top - 8}, title, "font-weight=\"bold\"");
     svg += cell_map({left, top}, kWide, kHigh, kColumns, kRows, [&](int column, int row) {
-        const auto& of = cells[static_cast<size_t>((kRows - 1 - row) * kColumns + column)];
+        const auto& of =
+            cells[static_cast<size_t>(kRows - 1 - row) * kColumns + static_cast<size_t>(column)];
         return std::string(colors()[step_of(colors(), of[way])].fill);
     });
     for (const int z : {-40, -20, 0, 20, 40})

@@ -111,7 +111,7 @@ TEST(LinearLight, TheGaussianStepCostsWhatWasMeasured)
         look_at_scenes(3000, sigma2, [&](const LinearScene& scene, const LinearAngles& angles) {
             const LinearView<double> view = view_of<double>(scene);
             const LinearPeak<double> peak = peak_of(view);
-            error.add(lobe_of(view, peak, peak.k, sigma2), lobe_integral(scene, angles));
+            error.add(lobe_of(view, peak, peak.k, scene.sigma2), lobe_integral(scene, angles));
         });
         EXPECT_NEAR(error.value(), want, 0.1 * want) << sigma2;
     }
