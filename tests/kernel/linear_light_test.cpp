@@ -134,13 +134,13 @@ TEST(LinearLight, KernelGaussianIsTheSourcesWithAnExactErrorFunction)
 }
 
 struct Bound {
-    double sigma2, gaussian, eight_points, twelve_points;
+    double sigma2, gaussian, eight_points;
 };
 
 TEST(LinearLight, ReflectionIsTheFullIntegralToItsError)
 {
-    for (const Bound& bound : {Bound{0.002, 0.0055, 0.005, 5e-4}, Bound{0.02, 0.04, 0.006, 5e-4},
-                               Bound{0.3, 0.28, 0.002, 0.002}}) {
+    for (const Bound& bound :
+         {Bound{0.002, 0.0055, 0.005}, Bound{0.02, 0.04, 0.006}, Bound{0.3, 0.28, 0.001}}) {
         RelativeRms gaussian, single, eight, twelve;
         look_at_scenes(1500, bound.sigma2, [&](const LinearScene& scene, const LinearAngles&) {
             const double want = reflected_exactly(scene);
@@ -159,8 +159,26 @@ TEST(LinearLight, ReflectionIsTheFullIntegralToItsError)
         EXPECT_LT(gaussian.value(), bound.gaussian) << bound.sigma2;
         EXPECT_LT(single.value(), 1e-3) << bound.sigma2; // tan2 / sigma2 rounded, four steps
         EXPECT_LT(eight.value(), bound.eight_points) << bound.sigma2;
-        EXPECT_LT(twelve.value(), bound.twelve_points) << bound.sigma2;
+        EXPECT_LT(twelve.value(), 5e-4) << bound.sigma2;
     }
+}
+
+// Normals beyond the plane where Phi jumps, on the side of w: the peak that is found is the narrow
+// one of two and has 22 to 58 % of the light. The tolerance is for 12 points.
+TEST(LinearLight, AQuadratureOnRoughSurfacesHasBothPeaks)
+{
+    for (const double cos_v : {0.3, 0.1, 0.05})
+        for (const double degrees : {2.0, 5.0, 10.0}) {
+            const V3d viewer(std::sqrt(1 - cos_v * cos_v), 0, cos_v), w(0, 0, 1);
+            const V3d a = (viewer + w).normalized(), b = (viewer - w).normalized();
+            const double turn = degrees * kPi / 180;
+            const LinearScene scene =
+                endless_light(viewer, a * std::cos(turn) - b * std::sin(turn), 0.3);
+            const auto view = view_of<double>(scene);
+            const double want = reflected_exactly(scene);
+            const double got = filter::linear_quadrature(view, peak_of(view), scene.sigma2, 3);
+            EXPECT_NEAR(got / want, 1, 0.01) << cos_v << ' ' << degrees;
+        }
 }
 
 // The bend makes the Gaussian three times as good where surfaces are smooth; without it a mistake

@@ -41,6 +41,24 @@ void look_at_scenes(int count, double sigma2, const Look& look, double lowest_vi
     }
 }
 
+/// A light in the plane z = 0, parallel to the surface and facing it, at a distance of 1 on the
+/// side of the normal: all of it is above the horizon, whatever the normal, and all but 0.06
+/// degrees of the half circle.
+inline LinearScene endless_light(const Imath::V3d& viewer, const Imath::V3d& normal, double sigma2)
+{
+    constexpr double kHalfLength = 1000;
+    const Imath::V3d towards = Imath::V3d(normal.x, normal.y, 0).normalized();
+    const Imath::V3d along(-towards.y, towards.x, 0);
+    LinearScene scene;
+    scene.from = towards - along * kHalfLength;
+    scene.to = towards + along * kHalfLength;
+    scene.light_normal = -towards;
+    scene.normal = normal;
+    scene.viewer = viewer;
+    scene.sigma2 = sigma2;
+    return scene;
+}
+
 /// A scene as the kernel takes it.
 template <typename Real>
 filter::LinearLight<Real> light_of(const LinearScene& scene)
