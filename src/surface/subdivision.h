@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+
+namespace scree {
+
+/// How a cage becomes a smooth surface.
+enum class Scheme {
+    catmull_clark, ///< faces of any number of corners
+    loop,          ///< triangles only
+};
+
+/// What the surface does at edges of the cage that have one face.
+enum class BoundaryRule {
+    none,            ///< faces at a boundary have no surface
+    edge_only,       ///< the boundary is a smooth curve; corners are rounded
+    edge_and_corner, ///< the same, but vertices of a single face stay where they are
+};
+
+/// Where texture coordinates are interpolated linearly; elsewhere as smoothly as positions.
+enum class UvRule {
+    none,          ///< nowhere; the borders of charts are smooth curves
+    corners_only,  ///< at corners of charts
+    corners_plus1, ///< also where several charts meet, and at darts
+    corners_plus2, ///< also at concave corners
+    boundaries,    ///< along the borders of charts
+    all,           ///< everywhere: bilinear inside each face of the cage
+};
+
+/// How a sharpness that is not 0 falls from one subdivision to the next.
+enum class CreaseRule { uniform, chaikin };
+
+/// Weights of triangles in Catmull-Clark subdivision.
+enum class TriangleRule { catmull_clark, smooth };
+
+/// The rules of a surface, named as OpenSubdiv names them; what is empty is taken from elsewhere.
+struct SubdivisionRules {
+    std::optional<BoundaryRule> boundary;
+    std::optional<UvRule> uv;
+    std::optional<CreaseRule> creases;
+    std::optional<TriangleRule> triangles;
+};
+
+} // namespace scree

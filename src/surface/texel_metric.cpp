@@ -1,0 +1,89 @@
+#include "surface/texel_metric.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "surface/metric_rows.h"
+
+namespace scree {
+
+namespace {
+
+/// Faces that are ready at one time; one beside many-sided corners takes 40 kB.
+constexpr size_t kFacesAtOnce = 512;
+/// Rows of one task.
+constexpr int kRowsOfTask = 4;
+
+} // namespace
+
+TexelCounts& TexelCounts::operator+=(const TexelCounts& other)
+{
+    covered += other.covered;
+    overlapped += other.overlapped;
+    mirrored += other.mirrored;
+    singular += other.singular;
+    return *this;
+}
+
+TexelMetrics::TexelMetrics(const LimitSurface& surface)
+    : surface_(surface),
+      boxes_(static_cast<size_t>(surface.face_count()), Box{Vec2(1, 1), Vec2(0, 0)})
+{
+    tbb::parallel_for(size_t{0}, boxes_.size(), [&](size_t i) {
+        const FaceSurface face = surface_.face(static_cast<int>(i));
+        if (face.pieces().empty())
+            return;
+        const auto [low, high] = face.uv_bounds();
+        boxes_[i] = {low, high};
+    });
+}
+
+std::vector<std::pair<int, int>> TexelMetrics::tiles() const
+{
+    std::set<std::pair<int, int>> rows_then_columns;
+    for (const Box& box : boxes_)
+        for (int v = static_cast<int>(std::floor(box.low.y)); v < box.high.y; ++v)
+            for (int u = static_cast<int>(std::floor(box.low.x)); u < box.high.x; ++u)
+                rows_then_columns.emplace(v, u);
+    std::vector<std::pair<int, int>> tiles;
+    for (const auto& [v, u] : rows_then_columns)
+        tiles.emplace_back(u, v);
+    return tiles;
+}
+
+TexelCounts TexelMetrics::rows(const TexelGrid& grid, int first, int count,
+                               TexelMetric* texels) const
+{
+    const TexelRows band(grid, first, count, texels);
+    const UvBox reach = band.box();
+    std::vector<int> faces;
+    for (size_t i = 0; i < boxes_.size(); ++i)
+        if (reach.meets(boxes_[i].low, boxes_[i].high))
+            faces.push_back(static_cast<int>(i));
+    band.clear();
+
+    const int tasks = (count + kRowsOfTask - 1) / kRowsOfTask;
+    std::vector<TexelCounts> counts(static_cast<size_t>(tasks));
+    std::vector<ReadyFace> ready;
+    for (size_t begin = 0; begin < faces.size(); begin += kFacesAtOnce) {
+        const size_t size = std::min(kFacesAtOnce, faces.size() - begin);
+        ready.resize(size);
+        tbb::parallel_for(size_t{0}, size,
+                          [&](size_t i) { ready[i] = ReadyFace(surface_, faces[begin + i]); });
+        tbb::parallel_for(0, tasks, [&](int task) {
+            const int row = task * kRowsOfTask;
+            band.draw(ready, row, std::min(count, row + kRowsOfTask),
+                      counts[static_cast<size_t>(task)]);
+        });
+    }
+    TexelCounts total;
+    for (const TexelCounts& part : counts)
+        total += part;
+    return total;
+}
+
+} // namespace scree
