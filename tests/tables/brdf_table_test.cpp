@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -296,20 +297,6 @@ TEST_F(EffectiveBrdfTest, IsReciprocalAndAllButIsotropic)
     EXPECT_NEAR(brdf({mirrored(w.wo), mirrored(w.wi)})[0], here, 1e-3F * here);
 }
 
-// Mean and covariance of a texel's slopes are no mirror image of themselves; their mean over turns
-// would not be either.
-TEST_F(EffectiveBrdfTest, HasNoHandThoughTheSurfaceHas)
-{
-    bake_heights(0, 1);
-    const EffectiveBrdf brdf(temp_ / "set", 3, {0.1F, 0.04F, 64});
-    const Imath::V3d wo = Imath::V3d(0.7, 0, 0.4).normalized();
-    for (const double y : {0.3, 0.6, 0.9}) {
-        const float here = brdf({wo, Imath::V3d(-0.3, y, 0.5).normalized()})[0];
-        const float image = brdf({wo, Imath::V3d(-0.3, -y, 0.5).normalized()})[0];
-        EXPECT_NEAR(image / here, 1, 1e-4) << y;
-    }
-}
-
 // A cosine of 0.01 counts as 0.02 one way; the other way, lit from above, a Lambertian stays one.
 TEST_F(EffectiveBrdfTest, LightAtTheHorizonIsDividedByTheLeastCosine)
 {
@@ -320,22 +307,47 @@ TEST_F(EffectiveBrdfTest, LightAtTheHorizonIsDividedByTheLeastCosine)
     EXPECT_NEAR(static_cast<double>(brdf({at(0.01), at(0.5)})[1]) * kPi, 0.75 * color_[1], 1e-4);
 }
 
-// Half of the height map is no data: what has none counts for nothing, instead of as black.
-TEST_F(EffectiveBrdfTest, TexelsWithoutDataDoNotDarkenTheLevel)
+// A quarter of the heights is no data, and the colors there are those of the dark quarter beside
+// it.
+TEST_F(EffectiveBrdfTest, TexelsWithoutDataDoNotCount)
 {
     bake_heights(0.5F, 0.5F);
-    Image flat = random_image(16, 16, {"Y"}, 5, 0.5F, 0.5F);
-    for (size_t i = 0; i < flat.pixels.size(); ++i)
+    Image heights = random_image(16, 16, {"Y"}, 5, 0.5F, 0.5F);
+    Image colors = random_image(16, 16, {"R", "G", "B"}, 6, 0.6F, 0.6F);
+    for (size_t i = 0; i < heights.pixels.size(); ++i) {
+        if (i % 16 < 4)
+            heights.pixels[i] = std::numeric_limits<float>::quiet_NaN();
         if (i % 16 < 8)
-            flat.pixels[i] = std::numeric_limits<float>::quiet_NaN();
-    write_image(temp_ / "h.exr", flat);
-    Image colors = random_image(16, 16, {"R", "G", "B"}, 6, 0.4F, 0.4F);
+            std::fill_n(colors.pixels.begin() + 3 * static_cast<std::ptrdiff_t>(i), 3, 0.2F);
+    }
+    write_image(temp_ / "h.exr", heights);
     write_image(temp_ / "c.exr", colors);
     bake(options());
+    const Imath::V3d up(0, 0, 1);
     for (const int level : {1, 3}) {
         const EffectiveBrdf brdf(temp_ / "set", level, {0.3F, 0, 4});
-        const Imath::V3d up(0, 0, 1);
-        EXPECT_NEAR(static_cast<double>(brdf({up, up})[0]) * kPi, 0.4, 1e-5) << level;
+        EXPECT_NEAR(static_cast<double>(brdf({up, up})[0]) * kPi, (0.2 + 2 * 0.6) / 3, 1e-5)
+            << level;
+    }
+}
+
+// A flat surface: its color over pi and a lobe times Schlick's term, which is 1 for f0 = 1.
+TEST_F(EffectiveBrdfTest, FresnelGoesWithTheAngleFromTheHalfVector)
+{
+    bake_heights(0.5F, 0.5F);
+    const EffectiveBrdf whole(temp_ / "set", 4, {0.3F, 1, 4});
+    for (const float f0 : {0.0F, 0.04F}) {
+        const EffectiveBrdf brdf(temp_ / "set", 4, {0.3F, f0, 4});
+        for (const double theta_d : {0.2, 0.8, 1.2}) {
+            const double sine = std::sin(theta_d), cosine = std::cos(theta_d);
+            const filter::Directions<double> w{{sine, 0, cosine}, {-sine, 0, cosine}};
+            const double lobe = static_cast<double>(whole(w)[0]) - color_[0] / kPi;
+            const auto least = static_cast<double>(f0);
+            const double schlick = least + (1 - least) * std::pow(1 - cosine, 5);
+            EXPECT_NEAR(static_cast<double>(brdf(w)[0]), color_[0] / kPi + schlick * lobe,
+                        1e-4 * lobe)
+                << f0 << ' ' << theta_d;
+        }
     }
 }
 
