@@ -77,6 +77,23 @@ BrdfSource source_of(const BrdfWords& words, const BakeMonitor& monitor)
     return {[baked](const filter::Directions<double>& w) { return (*baked)(w); }, {}};
 }
 
+/// What the table is of, given or not.
+std::map<std::string, std::string> all_options(const BrdfWords& words)
+{
+    std::map<std::string, std::string> options = {
+        {"parametrization", words.parametrization},
+        {"size", words.size},
+        {"spacing", words.spacing},
+        {"second", words.second},
+        {"base-alpha", fmt::format("{:g}", words.brdf.base_alpha)},
+        {"f0", fmt::format("{:g}", words.brdf.f0)}};
+    if (words.reference)
+        options["samples"] = std::to_string(words.samples);
+    else
+        options["turns"] = std::to_string(words.brdf.turns);
+    return options;
+}
+
 void run(const CLI::App& command, const BrdfWords& words)
 {
     if (words.level < 0 && !words.reference)
@@ -90,6 +107,7 @@ void run(const CLI::App& command, const BrdfWords& words)
                    MeasuredBrdf made =
                        measured_brdf(grid, source_of(words, reading), words.compare, progress);
                    TableManifest manifest = brdf_manifest(grid);
+                   manifest.options = all_options(words);
                    manifest.figures = std::move(made.figures);
                    return MadeTable{std::move(manifest), std::move(made.values)};
                });
@@ -112,9 +130,10 @@ void add_brdf_table(CLI::App& table)
     command->add_option("--size", words->size, "nodes along the three axes")
         ->option_text("AxBxC [" + std::string(kUsualSize) + "]");
     command
-        ->add_option(
-            "--spacing", words->spacing,
-            "nodes at even steps; of the first axis at squares; or so of angles, of lengths too")
+        ->add_option("--spacing", words->spacing,
+                     "nodes of the first two axes: even; root: of the first at squares of even "
+                     "steps; angle: "
+                     "as root, lengths as sines of angles")
         ->check(CLI::IsMember({"angle", "root", "even"}))
         ->capture_default_str();
     command

@@ -21,15 +21,19 @@ constexpr int kFailed = 1, kUsage = 2, kInterrupted = 130;
 /// What is wrong with the command line; `e` alone does not name a command that is none.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& e)
 {
-    const auto commands = app.get_subcommands();
-    if (!commands.empty())
-        return fmt::format("{}; see scree {} --help", e.what(), commands.front()->get_name());
-    const auto unknown = app.remaining();
-    if (unknown.empty())
-        return fmt::format("{}; see scree --help", e.what());
+    const CLI::App* asked = &app; // the innermost command that was named
+    std::string name = "scree";
+    while (!asked->get_subcommands().empty()) {
+        asked = asked->get_subcommands().front();
+        name += " " + asked->get_name();
+    }
+    const auto unknown = asked->remaining();
+    const bool wants_command = asked->get_require_subcommand_min() > 0;
+    if (!wants_command || unknown.empty())
+        return fmt::format("{}; see {} --help", e.what(), name);
     const std::string& word = unknown.front();
-    return fmt::format("there is no {} '{}'; see scree --help",
-                       word.rfind('-', 0) == 0 ? "option" : "command", word);
+    return fmt::format("there is no {} '{}'; see {} --help",
+                       word.rfind('-', 0) == 0 ? "option" : "command", word, name);
 }
 
 int run(int argc, char** argv)

@@ -86,7 +86,8 @@ void make_table(const CLI::App& command, const std::string& kind, const TableWor
             progress.show("table", done);
         });
         made.manifest.program_version = kVersion;
-        made.manifest.options = given_options(command, kNotRecorded);
+        for (const auto& [name, value] : given_options(command, kNotRecorded))
+            made.manifest.options[name] = value;
         write_table(made.manifest, made.values, folder.path());
         folder.publish();
     }

@@ -40,7 +40,8 @@ struct MadeTable {
 /// signal, and with a summary on stdout unless quiet.
 ///
 /// command  whose options as given the manifest records
-/// make     told to report the share that is done; its manifest needs no version and no options
+/// make     told to report the share that is done; its manifest needs no version, and of options
+///          only what those not given stand for
 void make_table(const CLI::App& command, const std::string& kind, const TableWords& words,
                 const std::function<MadeTable(const std::function<void(double)>& progress)>& make);
 

@@ -12,7 +12,9 @@ namespace scree {
 struct EffectiveBrdfOptions {
     float base_alpha = 0.3F; ///< Beckmann roughness of a facet
     float f0 = 0.04F;        ///< Schlick's Fresnel reflectance at normal incidence
-    int turns = 16;          ///< of the surface about its normal, 1 or more; odd ones mirrored
+    /// Of the surface about its normal, 1 or more; every second one is the mirror image of the one
+    /// before it.
+    int turns = 16;
 };
 
 /// Throws Error when the set has no such level.

@@ -9,6 +9,7 @@ expect_success 'default folder' -- "$scree" table brdf $small
 expect_equal 'its files' "$(ls brdf-hybrid | tr '\n' ' ')" \
     'brdf-hybrid.exr brdf-hybrid.scree-table.json '
 grep -q '6 |h_bar| x 5 |k| / reach x 4 azimuth' stdout || fail "no summary: $(cat stdout)"
+grep -q '"turns": "16"' brdf-hybrid/brdf-hybrid.scree-table.json || fail 'defaults are not recorded'
 grep -q '"level": "5"' brdf-hybrid/brdf-hybrid.scree-table.json || fail '--level is not recorded'
 before=$(fingerprint brdf-hybrid)
 expect_success 'one thread, quiet' -- "$scree" table brdf $small --threads 1 --quiet

@@ -56,4 +56,8 @@ expect_equal 'stopped by a signal' "$?" 130
 expect_equal 'the old table stays' "$(fingerprint old)" "$before"
 expect_equal 'nothing staged' "$(staging)" ''
 
+expect_usage_error 'no such table' "no command 'foo'; see scree table --help" -- "$scree" table foo
+expect_usage_error 'no such option' 'see scree table linear-light --help' -- \
+    "$scree" table linear-light --foo
+
 finish

@@ -278,22 +278,32 @@ TEST(LinearLight, AnIntervalAcrossTheBackOfThePeakIsNotTheWholePeak)
         for (const double width : {0.1, 0.8, 2.5}) {
             const double first = 0.25 * i;
             // Each point by the nearest of the peaks.
-            const double want = boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
-                [&](double x) {
-                    const double d = std::remainder(x - kPhi, 2 * kPi);
-                    return std::exp(-kK * kK * d * d / kSigma2);
-                },
-                first, first + width, 12, 1e-12);
+            const auto mean_of = [&](double power) {
+                return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
+                    [&](double x) {
+                        const double d = std::remainder(x - kPhi, 2 * kPi);
+                        return std::pow(x - first, power) * std::exp(-kK * kK * d * d / kSigma2);
+                    },
+                    first, first + width, 12, 1e-12);
+            };
+            const double want = mean_of(0);
             double centre = 0;
             const double got =
                 kernel::scree_linear_integral(first, first + width, kPhi, kK, 0.0, kSigma2, centre);
             EXPECT_NEAR(got, want, 1e-4 * want + 1e-9) << first << ' ' << width;
+            EXPECT_NEAR(centre - first, mean_of(1) / want, 1e-3 * width) << first << ' ' << width;
         }
     double centre = 0;
     const double behind = kPhi + kPi - 0.1;
     EXPECT_LT(kernel::scree_linear_integral(behind, behind + 0.2, kPhi, kK, 0.0, 0.02, centre),
               1e-12);
     EXPECT_GT(published_integral(behind, behind + 0.2, kPhi, kK, 0, 0.02), 0.4);
+    // Where nothing is left of the lobe, its mean is at the end that is nearest to a peak.
+    for (const double off : {-0.05, 0.05}) {
+        kernel::scree_linear_integral(behind + off, behind + off + 0.2, kPhi, 20.0, 0.0, 1e-4,
+                                      centre);
+        EXPECT_NEAR(centre, off < 0 ? behind + off : behind + off + 0.2, 1e-9);
+    }
 }
 
 TEST(LinearLight, FrameAndAnglesAreThoseOfPlainVectorAlgebra)
