@@ -139,10 +139,10 @@ MeshFile read_mesh(const std::filesystem::path& path)
     expect_indices(mesh);
     const std::vector<ObjTag> tags = tags_of(parsed.shapes);
     if (tags.size() != static_cast<size_t>(tag_lines))
-        throw Error(fmt::format("{}: {} of {} subdivision tags (lines \"t ...\") follow the last "
-                                "usemtl or group; move them before it",
-                                mesh.name, static_cast<size_t>(tag_lines) - tags.size(),
-                                tag_lines));
+        throw Error(
+            fmt::format("{}: {} of {} subdivision tags (lines \"t ...\") stand after a group "
+                        "without faces; move them before its g or o line",
+                        mesh.name, static_cast<size_t>(tag_lines) - tags.size(), tag_lines));
     file.unknown_tags = apply_tags(tags, mesh);
     return file;
 }

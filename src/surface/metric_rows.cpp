@@ -126,7 +126,8 @@ void TexelRows::draw_span(const ReadyFace& face, const UvCell& cell, int row,
     std::optional<UvHit> hit;
     for (int x = columns.first; x <= columns.last; ++x) {
         TexelMetric& texel = line[x];
-        if (texel.face == face.index) { // drawn by a neighbouring cell
+        // Drawn by a neighbouring cell, or nothing more to know.
+        if (texel.face == face.index || texel.overlapped) {
             hit.reset();
             continue;
         }

@@ -5,7 +5,11 @@
 namespace scree {
 
 /// A surface at a parametric place (p, q) of a face: position and derivatives by p and q, world
-/// units. Position times normal in the order P_p x P_q points outside (the face's winding).
+/// units. P_p x P_q points outside (the face's winding).
+///
+/// On triangles of Loop's scheme all three second derivatives may have the wrong sign: OpenSubdiv
+/// (3.5, 3.6) applies that of a patch turned half around once, not twice. Normal curvatures then
+/// change sign together, and nothing here looks at their sign.
 struct SurfacePoint {
     Vec3 position{0, 0, 0};
     Vec3 by_p{0, 0, 0}, by_q{0, 0, 0};

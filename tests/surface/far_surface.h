@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "surface/limit_surface.h"
+
+namespace scree::test {
+
+/// The slow twin of LimitSurface: OpenSubdiv's Far patch tables over the whole cage, which share
+/// with Bfr the rules of subdivision and the bases of patches, but neither topology nor refinement.
+///
+/// Indices of texture coordinates are taken as the mesh has them.
+class FarSurface {
+public:
+    FarSurface(const Mesh& mesh, Scheme scheme, BoundaryRule boundary, UvRule uv);
+    ~FarSurface();
+    FarSurface(const FarSurface&) = delete;
+    FarSurface& operator=(const FarSurface&) = delete;
+
+    /// piece  of the face, with `place` inside
+    [[nodiscard]] SurfacePoint at(int face, size_t piece, const ParameterPiece& where,
+                                  const Vec2& place) const;
+    [[nodiscard]] UvPoint uv_at(int face, size_t piece, const ParameterPiece& where,
+                                const Vec2& place) const;
+
+private:
+    struct Data;
+    std::unique_ptr<Data> data_;
+};
+
+} // namespace scree::test
