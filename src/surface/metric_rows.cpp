@@ -7,9 +7,24 @@ namespace scree {
 
 namespace {
 
-/// A texel so near to a face's border, in parts of the face, may lie on it by rounding, and belongs
-/// to the face beyond as well without any overlap.
-constexpr double kOnBorder = 1e-6;
+/// A texel on the border of two faces lies in both without any overlap: at most so far inside of
+/// the one, by rounding, and so far inside of the other, which may be much smaller.
+constexpr float kOnBorder = 1e-6F, kOnBorderOfSmaller = 1e-3F;
+
+bool is_overlap(float inside, float inside_other)
+{
+    return std::min(inside, inside_other) > kOnBorder ||
+           std::max(inside, inside_other) > kOnBorderOfSmaller;
+}
+
+/// Derivatives carry rounding of so many times the distance from the origin.
+constexpr double kRounding = 1e-11;
+
+bool has_area(const SurfacePoint& point)
+{
+    const double noise = kRounding * point.position.length();
+    return (point.by_p % point.by_q).length() > noise * (point.by_p.length() + point.by_q.length());
+}
 
 /// False where the surface or its texture has no area.
 bool measure(const FaceSurface& surface, const UvHit& hit, TexelMetric& texel)
@@ -21,7 +36,8 @@ bool measure(const FaceSurface& surface, const UvHit& hit, TexelMetric& texel)
     const double curvature = largest_curvature(point, texel.normal);
     texel.curvature = static_cast<float>(curvature);
     texel.mirrored = hit.uv.by_p % hit.uv.by_q < 0;
-    return texel.area > 0 && std::isfinite(texel.area) && std::isfinite(curvature) &&
+    return has_area(point) && texel.area > 0 && std::isfinite(texel.area) &&
+           std::isfinite(curvature) &&
            std::isfinite(texel.tangents.by_s.length2() + texel.tangents.by_t.length2());
 }
 
@@ -33,11 +49,11 @@ Vec2 beside(const UvHit& hit, double step)
 }
 
 /// Gives the texel to the face, unless it has one.
-void take(const ReadyFace& face, const UvHit& hit, bool on_border, TexelMetric& texel,
+void take(const ReadyFace& face, const UvHit& hit, float inside, TexelMetric& texel,
           TexelCounts& counts)
 {
     if (texel.face >= 0) {
-        if (!on_border && !texel.on_border && !texel.overlapped) {
+        if (is_overlap(inside, texel.inside)) {
             texel.overlapped = true;
             ++counts.overlapped;
         }
@@ -45,7 +61,7 @@ void take(const ReadyFace& face, const UvHit& hit, bool on_border, TexelMetric& 
     }
     TexelMetric found;
     found.face = face.index;
-    found.on_border = on_border;
+    found.inside = inside;
     if (!measure(face.surface, hit, found)) {
         ++counts.singular;
         return;
@@ -137,7 +153,7 @@ void TexelRows::draw_span(const ReadyFace& face, const UvCell& cell, int row,
         if (!hit)
             hit = find_uv(face.surface, piece, uv, cell.guess(uv));
         if (hit)
-            take(face, *hit, piece.border_distance(hit->place) < kOnBorder, texel, counts);
+            take(face, *hit, static_cast<float>(piece.border_distance(hit->place)), texel, counts);
     }
 }
 

@@ -21,11 +21,11 @@ struct TexelMetric {
     int face = -1;           ///< of the cage; -1 outside of all charts, where nothing below counts
     bool mirrored = false;   ///< the texture is seen from its back: clockwise UVs
     bool overlapped = false; ///< other faces lie here too; the first one counts
-    bool on_border = false;  ///< of its face, by rounding: the face beyond lies here too
-    float curvature = 0;     ///< largest absolute normal curvature, 1 / world unit
-    Tangents tangents;       ///< world units per texture unit
-    Vec3 normal{0, 0, 1};    ///< unit, outside
-    double area = 0;         ///< world area per texture area: the texel's weight
+    float inside = 0; ///< distance to the border, in parts of the face (or of its corner's share)
+    float curvature = 0;  ///< largest absolute normal curvature, 1 / world unit
+    Tangents tangents;    ///< world units per texture unit
+    Vec3 normal{0, 0, 1}; ///< unit, outside
+    double area = 0;      ///< world area per texture area: the texel's weight
 };
 
 /// Texels of some rows.
