@@ -50,6 +50,7 @@ std::vector<std::pair<int, int>> TexelMetrics::tiles() const
             for (int u = static_cast<int>(std::floor(box.low.x)); u < box.high.x; ++u)
                 rows_then_columns.emplace(v, u);
     std::vector<std::pair<int, int>> tiles;
+    tiles.reserve(rows_then_columns.size());
     for (const auto& [v, u] : rows_then_columns)
         tiles.emplace_back(u, v);
     return tiles;

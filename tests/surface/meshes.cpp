@@ -79,6 +79,26 @@ Mesh fan_mesh(int count, double height)
     return mesh;
 }
 
+Vec3 wavy(double a, double b)
+{
+    return {a, b + 0.1 * std::sin(5 * a), 0.3 * std::sin(6 * a + 2) * std::cos(4 * b)};
+}
+
+Mesh octahedron()
+{
+    Mesh mesh;
+    mesh.name = "octahedron";
+    mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 2}, {0, 0, -1}};
+    mesh.face_vertices = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    mesh.face_sizes.assign(8, 3);
+    for (int face = 0; face < 8; ++face)
+        for (const Vec2& at : {Vec2(0, 0), Vec2(0.9, 0.1), Vec2(0.2, 0.8)}) {
+            mesh.face_uvs.push_back(static_cast<int>(mesh.uvs.size()));
+            mesh.uvs.push_back((at + Vec2(face % 4, face / 4)) / 4);
+        }
+    return mesh;
+}
+
 Mesh mesh_from(const std::string& obj)
 {
     const TempFolder folder;

@@ -29,6 +29,12 @@ Mesh cube_mesh();
 /// are x and y over [0, 1].
 Mesh fan_mesh(int count, double height = 0);
 
+/// A curved patch over the unit square.
+Vec3 wavy(double a, double b);
+
+/// An octahedron with one corner pulled out, each face with texture coordinates of its own.
+Mesh octahedron();
+
 /// From the text of an OBJ file.
 Mesh mesh_from(const std::string& obj);
 /// What reading such a file complains of; empty when it does not.

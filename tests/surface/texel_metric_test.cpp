@@ -1,4 +1,4 @@
-// Which texels a mesh covers, and its metric there where it is known exactly: on planes.
+// The metric of texels where it is known exactly, on planes; tiles, bands and threads.
 
 #include "surface/texel_metric.h"
 
@@ -7,8 +7,6 @@
 
 #include <cmath>
 
-#include "support/files.h"
-#include "surface/mesh_file.h"
 #include "surface/meshes.h"
 #include "surface/texels.h"
 
@@ -158,6 +156,35 @@ TEST(TexelMetric, SmoothTextureCoordinatesUndoTheSurface)
     }
 }
 
+/// The same on a grid that is stirred: faces bend by more than a right angle, so one start a face
+/// would not do, and its corners do not bound it.
+TEST(TexelMetric, FindsAllTexelsOfBentTextureCoordinates)
+{
+    SurfaceOptions options;
+    options.rules.uv = UvRule::corners_plus1;
+    options.rules.boundary = BoundaryRule::edge_and_corner;
+    const auto stirred = [](double a, double b) {
+        const Vec2 from(a - 0.5, b - 0.5);
+        const double angle = 3.2 * std::max(0.0, 1 - 2 * from.length());
+        return Vec2(0.5 + from.x * std::cos(angle) - from.y * std::sin(angle),
+                    0.5 + from.x * std::sin(angle) + from.y * std::cos(angle));
+    };
+    for (const int faces : {3, 4, 5, 8}) {
+        const Mesh mesh = grid_mesh(
+            {faces, faces},
+            [&](double a, double b) { return Vec3(2 * stirred(a, b).x, 3 * stirred(a, b).y, 0); },
+            stirred);
+        const TexelImage image = texels_of(mesh, {83, 83}, options);
+        EXPECT_EQ(image.counts.covered, 83 * 83) << faces;
+        EXPECT_EQ(image.counts.overlapped, 0) << faces;
+        EXPECT_EQ(image.counts.mirrored, 0) << faces;
+        for (const TexelMetric& texel : image.texels) {
+            EXPECT_LT((texel.tangents.by_s - Vec3(2, 0, 0)).length(), 1e-9);
+            EXPECT_LT((texel.tangents.by_t - Vec3(0, -3, 0)).length(), 1e-9);
+        }
+    }
+}
+
 TEST(TexelMetric, FiniteWhereATexelIsAnExtraordinaryVertex)
 {
     for (const int valence : {3, 5, 8, 30})
@@ -198,107 +225,6 @@ TEST(TexelMetric, TriangulatedPlaneUnderLoop)
             }
         }
     EXPECT_EQ(image.counts.overlapped, 0);
-}
-
-/// Even and odd crossings to the left, and the nearest distance of an edge in v, for texels that
-/// rounding may put on either side.
-struct Polygon {
-    std::vector<Vec2> corners;
-
-    [[nodiscard]] bool holds(const Vec2& p) const
-    {
-        bool inside = false;
-        for (size_t i = 0; i < corners.size(); ++i) {
-            const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
-            if ((a.y > p.y) != (b.y > p.y) && p.x > a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y))
-                inside = !inside;
-        }
-        return inside;
-    }
-};
-
-std::vector<Polygon> uv_polygons(const Mesh& mesh)
-{
-    std::vector<Polygon> polygons;
-    size_t first = 0;
-    for (const int size : mesh.face_sizes) {
-        Polygon& polygon = polygons.emplace_back();
-        for (int k = 0; k < size; ++k)
-            polygon.corners.push_back(
-                mesh.uvs[static_cast<size_t>(mesh.face_uvs[first + static_cast<size_t>(k)])]);
-        first += static_cast<size_t>(size);
-    }
-    return polygons;
-}
-
-/// With linear texture coordinates a convex face covers its polygon. Faces that are not convex
-/// fold over their own border there, so a few texels may differ.
-void expect_covers_polygons(const Mesh& mesh, int size, int folded)
-{
-    const TexelImage image = texels_of(mesh, {size, size});
-    const std::vector<Polygon> polygons = uv_polygons(mesh);
-    int different = 0, covered = 0, overlapped = 0;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-            int faces = 0, lowest = -1;
-            for (size_t i = 0; i < polygons.size(); ++i)
-                if (polygons[i].holds(image.uv(x, y))) {
-                    lowest = faces == 0 ? static_cast<int>(i) : lowest;
-                    ++faces;
-                }
-            covered += faces > 0 ? 1 : 0;
-            overlapped += faces > 1 ? 1 : 0;
-            const TexelMetric& texel = image.at(x, y);
-            different += texel.face != lowest || texel.overlapped != (faces > 1) ? 1 : 0;
-        }
-    EXPECT_GT(covered, 0) << mesh.name;
-    EXPECT_LE(different, folded) << mesh.name << ": " << image.counts.covered << " covered for "
-                                 << covered << ", " << image.counts.overlapped << " overlapped for "
-                                 << overlapped;
-}
-
-TEST(TexelMetric, CoversThePolygonsOfTheTexture)
-{
-    expect_covers_polygons(cube_mesh(), 101, 0);
-    expect_covers_polygons(fan_mesh(7), 100, 0);
-    // Two charts on each other, the second one as large again.
-    expect_covers_polygons(
-        mesh_from("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.11 0.13\nvt 0.52 0.12\nvt 0.55 0.57\n"
-                  "vt 0.2 0.5\nvt 0.31 0.27\nvt 0.93 0.33\nvt 0.87 0.91\nvt 0.29 0.85\n"
-                  "f 1/1 2/2 3/3 4/4\nf 4/5 3/6 2/7 1/8\nf 1/1 2/2 3/8\n"),
-        97, 0);
-}
-
-TEST(TexelMetric, CoversThePolygonsOfRealMeshes)
-{
-    const auto folder = data_folder();
-    if (folder.empty())
-        GTEST_SKIP() << "no data folder";
-    const auto mesh = [&](const char* name) { return read_mesh(folder / "meshes" / name).mesh; };
-    // 8 of the faces are concave and fold over their border.
-    expect_covers_polygons(mesh("spot/spot_control_mesh.obj"), 64, 4);
-    expect_covers_polygons(mesh("assimp/spider.obj"), 64, 0);
-    expect_covers_polygons(mesh("materialx/plane.obj"), 64, 0);
-    expect_covers_polygons(mesh("materialx/cube.obj"), 64, 0);
-}
-
-TEST(TexelMetric, MirroredChartsAreFlagged)
-{
-    const TexelImage image =
-        texels_of(mesh_from("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0.5 0\nvt 0.5 1\n"
-                            "vt 0 1\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3 4/4\nf 2/2 1/5 4/6 3/3\n"),
-                  {8, 8});
-    EXPECT_EQ(image.counts.covered, 64);
-    EXPECT_EQ(image.counts.mirrored, 0) << "the second face looks the other way";
-    const TexelImage flipped =
-        texels_of(mesh_from("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\n"
-                            "vt 0.5 0\nvt 0.5 1\nvt 0 1\nvt 1 0\nvt 1 1\n"
-                            "f 1/1 2/2 3/3 4/4\nf 2/5 5/2 6/3 3/6\n"),
-                  {8, 8});
-    EXPECT_EQ(flipped.counts.covered, 64);
-    EXPECT_EQ(flipped.counts.mirrored, 32);
-    EXPECT_FALSE(flipped.at(3, 4).mirrored);
-    EXPECT_TRUE(flipped.at(4, 4).mirrored);
 }
 
 TEST(TexelMetric, ATileIsEvaluatedByItself)
@@ -362,28 +288,6 @@ TEST(TexelMetric, SameInAnyBandsAndWithAnyThreads)
                                         static_cast<size_t>(threads));
         expect_same(whole, texels_of(mesh, {67, 65}, options, 65));
     }
-}
-
-TEST(TexelMetric, WhatHasNoSurfaceHasNoTexels)
-{
-    Mesh mesh = grid_mesh(
-        {2, 1}, [](double a, double b) { return Vec3(a, b, 0); }, plain_uv);
-    mesh.holes = {1};
-    EXPECT_EQ(texels_of(mesh, {10, 10}).counts.covered, 50);
-    mesh.holes.clear();
-    SurfaceOptions options;
-    options.rules.boundary = BoundaryRule::none;
-    EXPECT_EQ(texels_of(mesh, {10, 10}, options).counts.covered, 0);
-
-    for (Vec2& uv : mesh.uvs)
-        uv.y = uv.x;
-    EXPECT_EQ(texels_of(mesh, {10, 10}).counts.covered, 0) << "no area in the texture";
-
-    const Mesh point = grid_mesh(
-        {2, 1}, [](double, double) { return Vec3(1, 2, 3); }, plain_uv);
-    const TexelImage image = texels_of(point, {10, 10});
-    EXPECT_EQ(image.counts.covered, 0);
-    EXPECT_EQ(image.counts.singular, 100) << "no area in space";
 }
 
 TEST(TexelMetric, OddSizes)
