@@ -19,8 +19,8 @@ namespace scree::tool {
 namespace {
 
 /// What says how to run a bake and not what to bake.
-const std::set<std::string> kNotRecorded = {"recipe", "output", "threads",  "quiet",      "help",
-                                            "height", "color",  "colormap", "ocio-config"};
+const std::set<std::string> kNotRecorded = {"recipe", "output", "threads",  "quiet", "help",
+                                            "height", "color",  "colormap", "mesh",  "ocio-config"};
 
 void print_summary(const Manifest& manifest, const std::filesystem::path& folder)
 {
@@ -48,7 +48,7 @@ void run(CLI::App& command, BakeWords& words)
         throw UsageError("no output folder; give -o DIR");
     words.options.as_given = given_options(command, kNotRecorded);
     note_for_supervisor({words.options.height_file.string(), words.options.color_file.string(),
-                         words.options.colormap_file.string()},
+                         words.options.colormap_file.string(), words.options.mesh_file.string()},
                         words.options.output);
 
     Manifest manifest;

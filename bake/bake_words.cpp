@@ -14,7 +14,7 @@ namespace scree::tool {
 
 namespace {
 
-constexpr const char* kPathKeys = "height,color,colormap,output,ocio-config";
+constexpr const char* kPathKeys = "height,color,colormap,mesh,output,ocio-config";
 
 } // namespace
 
@@ -75,6 +75,8 @@ void add_bake_options(CLI::App& command, BakeWords& words)
     surface->add_flag("--invert-x", o.invert_x, "normal maps: red points left");
     surface->add_flag("--invert-y", o.invert_y,
                       "normal maps: green points up the image (OpenGL, glTF, Blender)");
+
+    add_mesh_options(command, words.mesh, o);
 
     auto* color = command.add_option_group("Color and weight");
     color->add_option("--ocio-config", o.ocio_config,
@@ -205,6 +207,7 @@ void interpret(CLI::App& command, BakeWords& words)
             o.wrap_s = wrap_named(words.wrap.front());
             o.wrap_t = wrap_named(words.wrap.back());
         }
+        interpret_mesh(words.mesh, o);
         o.normal_input = input_is_normal(words.input);
         o.normal_range = normal_range_named(words.normal_range);
         o.reconstruction = reconstruction_named(words.reconstruction);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bake/mesh_words.h"
 #include "judge/inputs.h"
 #include "pipeline/options.h"
 #include "texset/manifest.h"
@@ -29,6 +30,7 @@ struct BakeWords {
     std::vector<double> nodes; ///< how many, or their angles
     std::optional<int> harmonics;
     std::string axes;
+    MeshWords mesh;
     bool quiet = false;
 };
 

@@ -32,18 +32,33 @@ void print_visibility(const VisibilityRecord& table)
         fmt::print("{} harmonic{}\n", table.harmonics, table.harmonics == 1 ? "" : "s");
 }
 
+void print_mesh(const MeshRecord& mesh)
+{
+    fmt::print("  charts cover {} texels, {:g} square world units; {} overlap, {} mirrored, {} "
+               "without tangents\n  height times curvature reaches {:.2g}, at texel {}, {}\n",
+               mesh.covered, mesh.area, mesh.overlapped, mesh.mirrored, mesh.singular,
+               mesh.largest_displacement, mesh.displaced_most[0], mesh.displaced_most[1]);
+}
+
 } // namespace
 
 void print_head(const Manifest& m)
 {
     fmt::print("{}  {}x{}, {} levels, scree {}\n", m.name, m.width, m.height, m.levels.size(),
                m.program_version);
-    for (const auto& input : m.inputs)
-        fmt::print("  {:8} {} ({}x{} {}, channels {}{}{}) sha256 {:.12}...\n", input.role,
-                   input.file, input.width, input.height, input.type, input.channels,
-                   input.color_space.empty() ? "" : ", ", input.color_space, input.sha256);
-    fmt::print("  wrap {} {}, texel {:g} x {:g} world units, {} slopes\n", m.wrap_s, m.wrap_t,
-               m.texel_width, m.texel_height, m.reconstruction);
+    for (const auto& input : m.inputs) {
+        const std::string what =
+            input.role == "mesh"
+                ? fmt::format("{} faces", m.mesh ? m.mesh->faces : 0)
+                : fmt::format("{}x{} {}, channels {}{}{}", input.width, input.height, input.type,
+                              input.channels, input.color_space.empty() ? "" : ", ",
+                              input.color_space);
+        fmt::print("  {:8} {} ({}) sha256 {:.12}...\n", input.role, input.file, what, input.sha256);
+    }
+    fmt::print("  wrap {} {}, texel {:g} x {:g} {} units, {} slopes\n", m.wrap_s, m.wrap_t,
+               m.texel_width, m.texel_height, m.mesh ? "texture" : "world", m.reconstruction);
+    if (m.mesh)
+        print_mesh(*m.mesh);
     if (m.has_height)
         fmt::print("  height {:g} to {:g}, mean h0 {:g}, standard deviation h1 {:g}\n",
                    m.height_min, m.height_max, m.h0, m.h1);

@@ -9,6 +9,7 @@
 #include "pipeline/describe.h"
 #include "pipeline/file_source.h"
 #include "pipeline/map_choice.h"
+#include "pipeline/mesh_source.h"
 #include "pipeline/model_choice.h"
 #include "pipeline/set_passes.h"
 #include "pipeline/spooled_heights.h"
@@ -98,9 +99,12 @@ void expect_output(const BakeOptions& options)
         throw Error("no output folder; give -o DIR");
 }
 
-Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& options,
-                   Manifest manifest, const BakeMonitor& monitor)
+/// mesh  the source, where it is one; else null
+Manifest bake_into(StagedFolder& folder, Source& source, const MeshSource* mesh,
+                   const BakeOptions& options, Manifest manifest, const BakeMonitor& monitor)
 {
+    if (mesh != nullptr)
+        manifest.mesh = mesh->record();
     std::optional<ColorMapInput> color_map;
     if (!options.colormap_file.empty()) {
         color_map = read_color_map_input(options);
@@ -144,6 +148,11 @@ Manifest bake_into(StagedFolder& folder, Source& source, const BakeOptions& opti
     if (has_table(manifest))
         write_table(*table, manifest, folder.path());
 
+    if (mesh != nullptr) { // which knows now how far heights reach
+        manifest.mesh = mesh->record();
+        for (auto& warning : mesh->warnings())
+            manifest.warnings.push_back(std::move(warning));
+    }
     for (auto& warning : rejects_warnings(surface.found.rejects, options))
         manifest.warnings.push_back(std::move(warning));
     for (auto& warning : scale_warnings(manifest, options))
@@ -165,7 +174,7 @@ Manifest bake(Source& source, const BakeOptions& options, Manifest manifest,
     expect_output(options);
     const ThreadLimit limit(options.threads);
     StagedFolder folder(options.output); // first, so that a bad -o fails before the work
-    return bake_into(folder, source, options, std::move(manifest), monitor);
+    return bake_into(folder, source, nullptr, options, std::move(manifest), monitor);
 }
 
 Manifest bake(const BakeOptions& options, const BakeMonitor& monitor)
@@ -185,7 +194,11 @@ Manifest bake(const BakeOptions& options, const BakeMonitor& monitor)
     manifest.warnings = source.notes();
     manifest.quantum = source.quantum();
     manifest.integer_bits = source.integer_bits();
-    return bake_into(folder, source, options, std::move(manifest), monitor);
+    if (options.mesh_file.empty())
+        return bake_into(folder, source, nullptr, options, std::move(manifest), monitor);
+    MeshSource mesh(source, options, folder.path(), monitor);
+    manifest.inputs.push_back(mesh.input());
+    return bake_into(folder, mesh, &mesh, options, std::move(manifest), monitor);
 }
 
 } // namespace scree

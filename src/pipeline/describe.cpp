@@ -77,16 +77,18 @@ Attributes attributes_of(Map map, const Manifest& manifest)
 {
     const std::string wraps =
         map == Map::map ? "clamp,clamp" : manifest.wrap_s + "," + manifest.wrap_t;
-    Attributes attributes = {{"textureformat", std::string("Plain Texture")},
-                             {"wrapmodes", wraps},
-                             {"Software", "scree " + manifest.program_version},
-                             {"scree:set", manifest.name},
-                             {"scree:map", map_info(map).name},
-                             {"scree:meaning", map_info(map).meaning},
-                             {"scree:axes", std::string("s right, t down")},
-                             {"scree:texelWidth", manifest.texel_width},
-                             {"scree:texelHeight", manifest.texel_height},
-                             {"scree:reconstruction", manifest.reconstruction}};
+    Attributes attributes = {
+        {"textureformat", std::string("Plain Texture")},
+        {"wrapmodes", wraps},
+        {"Software", "scree " + manifest.program_version},
+        {"scree:set", manifest.name},
+        {"scree:map", map_info(map).name},
+        {"scree:meaning", map_info(map).meaning},
+        {"scree:axes",
+         std::string(manifest.mesh ? "x along dP/ds, y towards dP/dt, t down" : "s right, t down")},
+        {"scree:texelWidth", manifest.texel_width},
+        {"scree:texelHeight", manifest.texel_height},
+        {"scree:reconstruction", manifest.reconstruction}};
     if (manifest.has_height) {
         attributes.emplace_back("scree:h0", manifest.h0);
         attributes.emplace_back("scree:h1", manifest.h1);

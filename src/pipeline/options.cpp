@@ -4,39 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
-#include <utility>
 
 #include "math/error.h"
+#include "pipeline/named_choice.h"
 #include "stats/ranks.h"
 
 namespace scree {
 
 namespace {
-
-template <class T>
-using Choices = std::initializer_list<std::pair<const char*, T>>;
-
-template <class T>
-T named(const char* option, const std::string& name, const Choices<T>& choices)
-{
-    std::string known;
-    for (const auto& [word, value] : choices) {
-        if (name == word)
-            return value;
-        known += fmt::format("{}{}", known.empty() ? "" : ", ", word);
-    }
-    throw Error(fmt::format("{} '{}' is unknown; use one of {}", option, name, known));
-}
-
-template <class T>
-std::string name_of(T value, const Choices<T>& choices)
-{
-    for (const auto& [word, known] : choices)
-        if (known == value)
-            return word;
-    return {};
-}
 
 const Choices<Wrap> kWraps = {{"periodic", Wrap::periodic},
                               {"clamp", Wrap::clamp},
@@ -81,6 +56,26 @@ void expect_nodes(const std::vector<double>& angles_deg)
     }
 }
 
+/// What a mesh does without: whatever is measured on a plane.
+void expect_mesh(const BakeOptions& options)
+{
+    if (options.mesh_file.empty())
+        return;
+    if (options.texel_size || options.world_size)
+        throw Error("--mesh: its own size is that of the texture on it; leave out --texel-size and "
+                    "--world-size");
+    if (options.layout == Layout::bumpslopes)
+        throw Error("--mesh goes with --layout scree; bumpslopes holds slopes over the texture");
+    const bool measures =
+        options.auto_maps || options.visibility.value_or(Visibility::smith) != Visibility::smith;
+    const auto has = [&options](Map map) {
+        return std::find(options.maps.begin(), options.maps.end(), map) != options.maps.end();
+    };
+    if (measures || has(Map::visible) || has(Map::exponent))
+        throw Error("--mesh: what views see is measured on planes only; name the --maps, without "
+                    "auto, visible and exponent, and leave --visibility at smith");
+}
+
 void expect_range(double low, double high)
 {
     constexpr double kLargest = 1e30; // squares of differences stay far from the largest double
@@ -105,6 +100,7 @@ void expect_sensible(const BakeOptions& options)
                     throw Error(
                         fmt::format("{}: {} is no size; give world units above 0", option, side));
     };
+    expect_mesh(options);
     expect_positive(options.texel_size, "--texel-size");
     expect_positive(options.world_size, "--world-size");
     if (!std::isfinite(options.height_scale) || !std::isfinite(options.height_offset))

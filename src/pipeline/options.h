@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "stats/cell.h"
+#include "surface/limit_surface.h"
 #include "texset/channels.h"
 #include "texset/chunk_codec.h"
 #include "visibility/view_components.h"
@@ -50,6 +51,9 @@ struct BakeOptions {
     bool world_height_given = true; ///< else square texels decide the height of world_size
     Wrap wrap_s = Wrap::periodic, wrap_t = Wrap::periodic;
     Reconstruction reconstruction = Reconstruction::bilinear;
+
+    std::filesystem::path mesh_file; ///< the texture lies on its limit surface; empty: on a plane
+    SurfaceOptions subdivision;      ///< of the mesh
 
     bool normal_input = false; ///< the height file holds tangent-space normals
     NormalRange normal_range = NormalRange::automatic;

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "stats/slope_map.h"
+
 namespace scree {
 
 /// Rows of a surface, in world units and scene-linear color.
@@ -14,6 +16,8 @@ struct SurfaceRows {
     std::vector<double> slope_s, slope_t; ///< count x width, or empty
     std::vector<float> color;             ///< count x width x 3, or empty
     std::vector<float> weight;            ///< count x width, or empty: 1 where there is data
+    /// Of slopes found from the heights; count x width, or empty: they stay as they are.
+    std::vector<SlopeMap> slope_map;
 };
 
 /// Texels that could not be used, by reason, and the first of each.

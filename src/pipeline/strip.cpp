@@ -154,6 +154,8 @@ void TexelMoments::fill(const Strip& strip, int y, int x0, int count, MomentRow 
         for (int done = 0; done < count; done += kMergeRun)
             moments(layout_, reconstruction_, heights.from(done), std::min(kMergeRun, count - done),
                     texel_width_, texel_height_, out.from(done));
+        if (!in.slope_map.empty())
+            map_slopes(layout_, &in.slope_map[begin], count, out);
     }
     if (layout_.height >= 0)
         fill_heights(presence, count, out);

@@ -9,6 +9,8 @@ namespace {
 std::array<double, 2> texel_size(const Source& source, const BakeOptions& options)
 {
     const auto w = static_cast<double>(source.width()), h = static_cast<double>(source.height());
+    if (!options.mesh_file.empty())
+        return {1 / w, 1 / h}; // of the texture: the mesh knows how large that is
     if (options.texel_size)
         return *options.texel_size;
     if (options.world_size) {

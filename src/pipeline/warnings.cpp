@@ -50,10 +50,13 @@ std::vector<std::string> scale_warnings(const Manifest& manifest, const BakeOpti
     const LevelSummary& top = manifest.levels.back();
     if (!manifest.has_height || !top.rms_slope)
         return warnings;
+    const bool is_plane = !manifest.mesh;
     const bool size_given = options.texel_size || options.world_size;
-    const char* remedy = size_given ? "check --height-scale and the size given"
-                                    : "the map was taken to be one unit wide: set --texel-size or "
-                                      "--world-size, and --height-scale";
+    const char* remedy = !is_plane ? "check --height-scale: heights are in the mesh's units"
+                         : size_given
+                             ? "check --height-scale and the size given"
+                             : "the map was taken to be one unit wide: set --texel-size or "
+                               "--world-size, and --height-scale";
     if (*top.rms_slope > kSteepest)
         warnings.push_back(fmt::format("rms slope {:.3g} is steeper than any material ({} at "
                                        "most); {}",
@@ -63,7 +66,8 @@ std::vector<std::string> scale_warnings(const Manifest& manifest, const BakeOpti
                                        "least); {}",
                                        *top.rms_slope, kFlattest, remedy));
 
-    if (manifest.integer_bits > 0 && manifest.integer_bits <= 8 && *top.slope_sigma > 0) {
+    if (is_plane && manifest.integer_bits > 0 && manifest.integer_bits <= 8 &&
+        *top.slope_sigma > 0) {
         const double noise = manifest.quantum * manifest.quantum / 12;
         const double explained = slope_gain(manifest.reconstruction) * noise *
                                  (1 / (manifest.texel_width * manifest.texel_width) +

@@ -15,7 +15,7 @@ namespace scree {
 
 /// An input file, so that a set says what it was made of.
 struct InputRecord {
-    std::string role;   ///< "height", "normal", "color" or "colormap"
+    std::string role;   ///< "height", "normal", "color", "colormap" or "mesh"
     std::string file;   ///< name without folders
     std::string sha256; ///< of its bytes, in hex
     int width = 0, height = 0;
@@ -127,6 +127,17 @@ struct VisibilityRecord {
     std::optional<double> axis_deg;      ///< along axes instead: the first, from +s towards +t
 };
 
+/// The mesh that a set was baked for (docs/surfaces.md).
+struct MeshRecord {
+    int faces = 0;                           ///< of the cage
+    long long covered = 0;                   ///< texels of level 0 in its charts
+    long long overlapped = 0, mirrored = 0;  ///< of those
+    long long singular = 0;                  ///< in charts, but left out: no tangents
+    double area = 0;                         ///< of its texels, world units^2
+    double largest_displacement = 0;         ///< largest |height x curvature| of a texel
+    std::array<int, 2> displaced_most{0, 0}; ///< where: column, row
+};
+
 /// What was baked, from what, with which options: NAME.scree.json.
 struct Manifest {
     static constexpr int kFormatVersion = 2;
@@ -136,7 +147,7 @@ struct Manifest {
     std::vector<InputRecord> inputs;
     int width = 0, height = 0;
     std::string wrap_s, wrap_t;
-    double texel_width = 1, texel_height = 1; ///< world units
+    double texel_width = 1, texel_height = 1; ///< world units; of a mesh texture units
     double height_scale = 1, height_offset = 0;
     std::string reconstruction;
     std::string layout;
@@ -149,6 +160,7 @@ struct Manifest {
     long long no_data_texels = 0;
     double half_tolerance = 0;
     std::string compression;
+    std::optional<MeshRecord> mesh; ///< absent: a plane
     std::optional<ColorMapRecord> color_map;
     std::optional<ModelChoice> model_choice; ///< of --maps auto
     std::optional<VisibilityRecord> visibility;

@@ -103,6 +103,20 @@ ModelChoice choice_from_json(const JsonObject& json)
     return choice;
 }
 
+MeshRecord mesh_from_json(const JsonObject& json)
+{
+    MeshRecord mesh;
+    json.get("faces", mesh.faces);
+    json.get("covered_texels", mesh.covered);
+    json.get("overlapped_texels", mesh.overlapped);
+    json.get("mirrored_texels", mesh.mirrored);
+    json.get("singular_texels", mesh.singular);
+    json.get("area", mesh.area);
+    json.get("largest_height_times_curvature", mesh.largest_displacement);
+    json.get("at_texel", mesh.displaced_most);
+    return mesh;
+}
+
 VisibilityRecord visibility_from_json(const JsonObject& json)
 {
     VisibilityRecord visibility;
@@ -216,6 +230,8 @@ Manifest manifest_from_json(const JsonObject& json)
     json.get_if_there("working_space", m.working_space);
     json.get("no_data_texels", m.no_data_texels);
     json.get("half_tolerance", m.half_tolerance);
+    if (json.has("mesh"))
+        m.mesh = mesh_from_json(json.object("mesh"));
     if (json.has("color_map"))
         m.color_map = color_map_from_json(json.object("color_map"));
     if (json.has("model_choice"))

@@ -15,6 +15,11 @@ void put(Json& json, const char* key, const std::optional<T>& value)
         json[key] = *value;
 }
 
+constexpr const char* kPlaneAxes = "s to the right, t down; slope = dh/ds, dh/dt in world units";
+constexpr const char* kMeshAxes =
+    "x along dP/ds, y square to it on the side of dP/dt (t down); slope = "
+    "dh/dx, dh/dy in world units";
+
 Json input_to_json(const InputRecord& input)
 {
     Json json = {{"role", input.role},      {"file", input.file},     {"sha256", input.sha256},
@@ -78,6 +83,18 @@ Json choice_to_json(const ModelChoice& choice)
     return json;
 }
 
+Json mesh_to_json(const MeshRecord& mesh)
+{
+    return {{"faces", mesh.faces},
+            {"covered_texels", mesh.covered},
+            {"overlapped_texels", mesh.overlapped},
+            {"mirrored_texels", mesh.mirrored},
+            {"singular_texels", mesh.singular},
+            {"area", mesh.area},
+            {"largest_height_times_curvature", mesh.largest_displacement},
+            {"at_texel", mesh.displaced_most}};
+}
+
 Json visibility_to_json(const VisibilityRecord& visibility)
 {
     Json json = {{"node_angles_deg", visibility.node_angles_deg},
@@ -134,7 +151,7 @@ Json manifest_to_json(const Manifest& m)
     json["name"] = m.name;
     json["width"] = m.width;
     json["height"] = m.height;
-    json["axes"] = "s to the right, t down; slope = dh/ds, dh/dt in world units";
+    json["axes"] = m.mesh ? kMeshAxes : kPlaneAxes;
     json["wrap"] = {m.wrap_s, m.wrap_t};
     json["texel_size"] = {m.texel_width, m.texel_height};
     json["height_scale"] = m.height_scale;
@@ -153,6 +170,8 @@ Json manifest_to_json(const Manifest& m)
         json["working_space"] = m.working_space;
     json["no_data_texels"] = m.no_data_texels;
     json["half_tolerance"] = m.half_tolerance;
+    if (m.mesh)
+        json["mesh"] = mesh_to_json(*m.mesh);
     if (m.color_map)
         json["color_map"] = color_map_to_json(*m.color_map);
     if (m.model_choice)
