@@ -71,7 +71,7 @@ private:
 class LimitSurface {
 public:
     /// throws Error: Loop of a mesh with other faces than triangles, a crease that is no edge,
-    ///        a topology that OpenSubdiv refuses
+    ///        Chaikin's creases with a sharpness below 10, a topology that OpenSubdiv refuses
     LimitSurface(const Mesh& mesh, const SurfaceOptions& options);
     ~LimitSurface();
     LimitSurface(const LimitSurface&) = delete;

@@ -151,7 +151,7 @@ void TexelRows::draw_span(const ReadyFace& face, const UvCell& cell, int row,
         if (hit)
             hit = find_uv(face.surface, piece, uv, beside(*hit, step));
         if (!hit)
-            hit = find_uv(face.surface, piece, uv, cell.guess(uv));
+            hit = find_uv(face.surface, piece, uv, cell.middle);
         if (hit)
             take(face, *hit, static_cast<float>(piece.border_distance(hit->place)), texel, counts);
     }

@@ -65,9 +65,6 @@ Rules rules_of(const SubdivisionRules& file, const SubdivisionRules& asked)
     rules.SetVtxBoundaryInterpolation(
         of(chosen(asked.boundary, file.boundary, BoundaryRule::edge_and_corner)));
     rules.SetFVarLinearInterpolation(of(chosen(asked.uv, file.uv, UvRule::all)));
-    const CreaseRule creases = chosen(asked.creases, file.creases, CreaseRule::uniform);
-    rules.SetCreasingMethod(creases == CreaseRule::uniform ? Rules::CREASE_UNIFORM
-                                                           : Rules::CREASE_CHAIKIN);
     const TriangleRule triangles =
         chosen(asked.triangles, file.triangles, TriangleRule::catmull_clark);
     rules.SetTriangleSubdivision(triangles == TriangleRule::catmull_clark ? Rules::TRI_SUB_CATMARK
@@ -83,6 +80,21 @@ void expect_triangles(const Mesh& mesh)
         throw Error(fmt::format("{}: {} of {} faces are no triangles, which Loop subdivision "
                                 "needs; use Catmull-Clark or triangulate the mesh",
                                 mesh.name, other, mesh.face_sizes.size()));
+}
+
+/// Bfr (3.5, 3.6) leaves gaps of some thousandths of a face between faces where creases of
+/// different sharpness meet under Chaikin's rule; without sharpness that falls the rules agree.
+void expect_uniform_creases(const Mesh& mesh, const SurfaceOptions& options)
+{
+    const CreaseRule rule = chosen(options.rules.creases, mesh.rules.creases, CreaseRule::uniform);
+    const auto falls = [](const Crease& crease) {
+        return crease.sharpness > 0 &&
+               crease.sharpness < static_cast<double>(Sdc::Crease::SHARPNESS_INFINITE);
+    };
+    if (rule == CreaseRule::chaikin && std::any_of(mesh.creases.begin(), mesh.creases.end(), falls))
+        throw Error(fmt::format("{}: creases by Chaikin's method with a sharpness below 10, which "
+                                "is not supported; use the method normal, or sharpness 10",
+                                mesh.name));
 }
 
 /// The library tells why by a callback without context, one for the program.
@@ -179,6 +191,7 @@ std::unique_ptr<Far::TopologyRefiner> make_refiner(const Mesh& mesh, const Surfa
 {
     if (options.scheme == Scheme::loop)
         expect_triangles(mesh);
+    expect_uniform_creases(mesh, options);
     const Sharpness sharp(mesh);
     Far::TopologyDescriptor::FVarChannel channel;
     channel.numValues = static_cast<int>(uvs.values.size());

@@ -27,7 +27,7 @@ enum class UvRule {
     all,           ///< everywhere: bilinear inside each face of the cage
 };
 
-/// How a sharpness that is not 0 falls from one subdivision to the next.
+/// How a sharpness falls from one subdivision to the next.
 enum class CreaseRule { uniform, chaikin };
 
 /// Weights of triangles in Catmull-Clark subdivision.

@@ -90,13 +90,6 @@ private:
         const Vec2 middle = triangle ? (corners[0] + corners[1] + corners[2]) / 3
                                      : (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
         cell.middle = place(middle);
-        const UvPoint there = face_.uv_at(cell.middle);
-        const double determinant = there.by_p % there.by_q;
-        if (!(std::abs(determinant) > 0))
-            return;
-        cell.middle_uv = there.uv;
-        cell.place_by_u = Vec2(there.by_q.y, -there.by_p.y) / determinant;
-        cell.place_by_v = Vec2(-there.by_q.x, there.by_p.x) / determinant;
         cell.margin = kRounding;
         if (!face_.has_linear_uvs())
             cell.margin += 2 * deviation(corners, cell);
@@ -116,7 +109,7 @@ private:
                                        cell.corners[next]) /
                                       2);
         }
-        return std::max(most, (cell.middle_uv - mean).length());
+        return std::max(most, (face_.uv_at(cell.middle).uv - mean).length());
     }
 
     const FaceSurface& face_;

@@ -14,19 +14,9 @@ struct UvCell {
     std::array<Vec2, 4> corners; ///< texture coordinates; a triangle has its last one twice
     double margin = 0;           ///< the cell lies within so much of its corners' convex hull
     Vec2 middle{0, 0};           ///< parameters of its middle
-    Vec2 middle_uv{0, 0};        ///< texture coordinates there
-    Vec2 place_by_u{0, 0}, place_by_v{0, 0}; ///< derivatives of the parameters there
-
-    /// Parameters of a point near the middle, to first order.
-    [[nodiscard]] Vec2 guess(const Vec2& uv) const
-    {
-        const Vec2 from = uv - middle_uv;
-        return middle + place_by_u * from.x + place_by_v * from.y;
-    }
 };
 
-/// 1 to 64 cells a piece, twice as many for a triangle; none where texture coordinates have no
-/// area.
+/// 1 to 64 cells a piece, as many for a triangle.
 ///
 /// The margin is twice the largest distance of a curved cell's middle, or that of an edge, from
 /// where corners alone would have it; for a parabola once would do.

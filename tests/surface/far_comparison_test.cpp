@@ -35,10 +35,10 @@ Mesh polygons()
 
 /// Both are sums of some dozen products in double; second derivatives of small patches are
 /// differences of their points times 4^depth.
-void expect_as_far(const Mesh& mesh, Scheme scheme, BoundaryRule boundary, UvRule uv)
+void expect_as_far(const Mesh& mesh, const SurfaceOptions& options)
 {
-    const LimitSurface surface(mesh, options_of(scheme, boundary, uv));
-    const FarSurface far(mesh, scheme, boundary, uv);
+    const LimitSurface surface(mesh, options);
+    const FarSurface far(mesh, options);
     int compared = 0;
     at_places(surface, 20,
               [&](const FaceSurface& face, int index, size_t i, const ParameterPiece& piece,
@@ -67,21 +67,48 @@ void expect_as_far(const Mesh& mesh, Scheme scheme, BoundaryRule boundary, UvRul
     EXPECT_GT(compared, 0);
 }
 
+/// A grid whose first face has a chart of its own, so that a vertex has a corner of 90 degrees and
+/// one of 270.
+Mesh notched_grid()
+{
+    Mesh mesh = grid_mesh({3, 3}, wavy, plain_uv);
+    for (size_t k = 0; k < 4; ++k) {
+        mesh.uvs.push_back(mesh.uvs[static_cast<size_t>(mesh.face_uvs[k])] +
+                           Vec2(1.1, k == 2 ? 0.3 : 0));
+        mesh.face_uvs[k] = static_cast<int>(mesh.uvs.size()) - 1;
+    }
+    return mesh;
+}
+
 TEST(LimitSurface, AgreesWithFarPatchTables)
 {
     const Mesh grid = grid_mesh({4, 3}, wavy, plain_uv);
+    const auto smooth = Scheme::catmull_clark;
     for (const UvRule uv : {UvRule::none, UvRule::corners_only, UvRule::corners_plus1,
                             UvRule::corners_plus2, UvRule::boundaries, UvRule::all}) {
         for (const BoundaryRule boundary :
              {BoundaryRule::edge_only, BoundaryRule::edge_and_corner}) {
-            expect_as_far(grid, Scheme::catmull_clark, boundary, uv);
-            expect_as_far(polygons(), Scheme::catmull_clark, boundary, uv);
+            expect_as_far(grid, options_of(smooth, boundary, uv));
+            expect_as_far(notched_grid(), options_of(smooth, boundary, uv));
+            expect_as_far(polygons(), options_of(smooth, boundary, uv));
         }
-        expect_as_far(creased_cube(), Scheme::catmull_clark, BoundaryRule::edge_only, uv);
-        expect_as_far(fan_mesh(7, 0.4), Scheme::catmull_clark, BoundaryRule::edge_and_corner, uv);
-        expect_as_far(octahedron(), Scheme::loop, BoundaryRule::edge_only, uv);
-        expect_as_far(octahedron(), Scheme::catmull_clark, BoundaryRule::edge_only, uv);
+        expect_as_far(creased_cube(), options_of(smooth, BoundaryRule::edge_only, uv));
+        expect_as_far(fan_mesh(7, 0.4), options_of(smooth, BoundaryRule::edge_and_corner, uv));
+        expect_as_far(octahedron(), options_of(Scheme::loop, BoundaryRule::edge_only, uv));
+        expect_as_far(octahedron(), options_of(smooth, BoundaryRule::edge_only, uv));
     }
+}
+
+TEST(LimitSurface, AgreesWithFarOnSmoothTrianglesAndInfiniteChaikinCreases)
+{
+    SurfaceOptions options =
+        options_of(Scheme::catmull_clark, BoundaryRule::edge_only, UvRule::corners_plus1);
+    options.rules.triangles = TriangleRule::smooth;
+    expect_as_far(octahedron(), options);
+    Mesh mesh = cube_mesh();
+    mesh.creases = {{0, 1, 10}, {1, 3, 12}};
+    options.rules.creases = CreaseRule::chaikin;
+    expect_as_far(mesh, options);
 }
 
 TEST(LimitSurface, DerivativesAreThoseOfItsPositions)

@@ -44,8 +44,7 @@ Far::PatchTableFactory::Options patch_options()
     return options;
 }
 
-std::unique_ptr<Far::TopologyRefiner> refined(const Mesh& mesh, Scheme scheme,
-                                              BoundaryRule boundary, UvRule uv)
+std::unique_ptr<Far::TopologyRefiner> refined(const Mesh& mesh, const SurfaceOptions& options)
 {
     Far::TopologyDescriptor::FVarChannel channel;
     channel.numValues = static_cast<int>(mesh.uvs.size());
@@ -73,16 +72,20 @@ std::unique_ptr<Far::TopologyRefiner> refined(const Mesh& mesh, Scheme scheme,
     cage.cornerWeights = corner_sharpness.data();
     cage.numFVarChannels = 1;
     cage.fvarChannels = &channel;
-    Sdc::Options rules;
     // The numbers of OpenSubdiv's enumerations, in its order.
+    const auto number = [](auto rule) { return static_cast<int>(rule.value()); };
+    const SubdivisionRules& asked = options.rules;
+    using Rules = Sdc::Options;
+    Rules rules;
     rules.SetVtxBoundaryInterpolation(
-        static_cast<Sdc::Options::VtxBoundaryInterpolation>(static_cast<int>(boundary)));
-    rules.SetFVarLinearInterpolation(
-        static_cast<Sdc::Options::FVarLinearInterpolation>(static_cast<int>(uv)));
+        static_cast<Rules::VtxBoundaryInterpolation>(number(asked.boundary)));
+    rules.SetFVarLinearInterpolation(static_cast<Rules::FVarLinearInterpolation>(number(asked.uv)));
+    rules.SetCreasingMethod(static_cast<Rules::CreasingMethod>(number(asked.creases)));
+    rules.SetTriangleSubdivision(static_cast<Rules::TriangleSubdivision>(number(asked.triangles)));
     using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-    std::unique_ptr<Far::TopologyRefiner> refiner(Factory::Create(
-        cage,
-        Factory::Options(scheme == Scheme::loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK, rules)));
+    const auto scheme = options.scheme == Scheme::loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
+    std::unique_ptr<Far::TopologyRefiner> refiner(
+        Factory::Create(cage, Factory::Options(scheme, rules)));
     refiner->RefineAdaptive(patch_options().GetRefineAdaptiveOptions());
     return refiner;
 }
@@ -99,8 +102,8 @@ auto blend(const Values& values, const Indices& indices, const Weights& weights)
 } // namespace
 
 struct FarSurface::Data {
-    Data(const Mesh& mesh, Scheme scheme, BoundaryRule boundary, UvRule uv)
-        : refiner(refined(mesh, scheme, boundary, uv)),
+    Data(const Mesh& mesh, const SurfaceOptions& options)
+        : refiner(refined(mesh, options)),
           table(Far::PatchTableFactory::Create(*refiner, patch_options())), map(*table),
           ptex(*refiner)
     {
@@ -137,8 +140,8 @@ struct FarSurface::Data {
     Uvs uvs;
 };
 
-FarSurface::FarSurface(const Mesh& mesh, Scheme scheme, BoundaryRule boundary, UvRule uv)
-    : data_(std::make_unique<Data>(mesh, scheme, boundary, uv))
+FarSurface::FarSurface(const Mesh& mesh, const SurfaceOptions& options)
+    : data_(std::make_unique<Data>(mesh, options))
 {}
 
 FarSurface::~FarSurface() = default;

@@ -12,7 +12,8 @@ namespace scree::test {
 /// Indices of texture coordinates are taken as the mesh has them.
 class FarSurface {
 public:
-    FarSurface(const Mesh& mesh, Scheme scheme, BoundaryRule boundary, UvRule uv);
+    /// options  with all rules; the mesh's own are not looked at
+    FarSurface(const Mesh& mesh, const SurfaceOptions& options);
     ~FarSurface();
     FarSurface(const FarSurface&) = delete;
     FarSurface& operator=(const FarSurface&) = delete;

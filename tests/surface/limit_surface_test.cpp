@@ -134,6 +134,14 @@ TEST(LimitSurface, WhatCannotBeMadeSaysWhy)
     EXPECT_EQ(error_of(mesh, Scheme::catmull_clark),
               "cube: a crease between vertices 0 and 7 (from 0), which no edge connects; remove it "
               "or name both ends of an edge");
+    mesh = cube_mesh();
+    mesh.creases = {{0, 1, 2}};
+    EXPECT_EQ(error_of(mesh, Scheme::catmull_clark), "");
+    mesh.rules.creases = CreaseRule::chaikin;
+    EXPECT_EQ(
+        error_of(mesh, Scheme::catmull_clark),
+        "cube: creases by Chaikin's method with a sharpness below 10, which is not supported; "
+        "use the method normal, or sharpness 10");
     EXPECT_EQ(error_of(octahedron(), Scheme::loop), "");
 }
 

@@ -12,6 +12,8 @@ inline SurfaceOptions options_of(Scheme scheme, BoundaryRule boundary, UvRule uv
     options.scheme = scheme;
     options.rules.boundary = boundary;
     options.rules.uv = uv;
+    options.rules.creases = CreaseRule::uniform;
+    options.rules.triangles = TriangleRule::catmull_clark;
     return options;
 }
 
