@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -16,6 +17,9 @@
 namespace scree {
 
 namespace {
+
+/// Tiles to either side of the first one that texture coordinates may reach.
+constexpr double kMostTiles = 1000;
 
 /// What the library makes of a file.
 struct Parsed {
@@ -61,9 +65,10 @@ void copy_points(const tinyobj::attrib_t& attributes, Mesh& mesh)
         if (!std::isfinite(p.x + p.y + p.z))
             throw Error(fmt::format("{}: a vertex beyond the range of numbers", mesh.name));
     for (const Vec2& uv : mesh.uvs)
-        if (!std::isfinite(uv.x + uv.y))
-            throw Error(
-                fmt::format("{}: a texture coordinate beyond the range of numbers", mesh.name));
+        if (!(std::max(std::abs(uv.x), std::abs(uv.y)) <= kMostTiles))
+            throw Error(fmt::format("{}: texture coordinate ({}, {}), expected within {} of 0; "
+                                    "unwrap the mesh again",
+                                    mesh.name, uv.x, uv.y, kMostTiles));
 }
 
 void copy_faces(const std::vector<tinyobj::shape_t>& shapes, Mesh& mesh)

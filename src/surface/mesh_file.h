@@ -19,7 +19,8 @@ struct MeshFile {
 ///
 /// throws Error, naming the file and, where it can, the line: missing, unreadable, cut short, not
 ///        text, no faces, a face without texture coordinates, of fewer than 3 corners, an index out
-///        of range, numbers that are not finite, tags that make no sense
+///        of range, numbers that are not finite, texture coordinates beyond 1000, tags that make no
+///        sense
 MeshFile read_mesh(const std::filesystem::path& path);
 
 } // namespace scree

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -44,10 +45,18 @@ TexelMetrics::TexelMetrics(const LimitSurface& surface)
 
 std::vector<std::pair<int, int>> TexelMetrics::tiles() const
 {
-    std::set<std::pair<int, int>> rows_then_columns;
+    // Boxes in tiles, each once: many faces share few.
+    std::set<std::array<int, 4>> boxes;
+    const auto below = [](double x) { return static_cast<int>(std::floor(x)); };
+    const auto above = [](double x) { return static_cast<int>(std::ceil(x)); };
     for (const Box& box : boxes_)
-        for (int v = static_cast<int>(std::floor(box.low.y)); v < box.high.y; ++v)
-            for (int u = static_cast<int>(std::floor(box.low.x)); u < box.high.x; ++u)
+        if (box.low.x <= box.high.x)
+            boxes.insert(
+                {below(box.low.x), below(box.low.y), above(box.high.x), above(box.high.y)});
+    std::set<std::pair<int, int>> rows_then_columns;
+    for (const auto& [left, bottom, right, top] : boxes)
+        for (int v = bottom; v < top; ++v)
+            for (int u = left; u < right; ++u)
                 rows_then_columns.emplace(v, u);
     std::vector<std::pair<int, int>> tiles;
     tiles.reserve(rows_then_columns.size());

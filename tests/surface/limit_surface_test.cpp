@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "math/error.h"
 #include "surface/meshes.h"
@@ -94,6 +95,33 @@ TEST(LimitSurface, CornersOfOneVertexAndValueAreOne)
         EXPECT_EQ(a.by_p, b.by_p);
     }
     EXPECT_FALSE(other.face(4).has_linear_uvs());
+}
+
+TEST(LimitSurface, BoundsHoldAllTextureCoordinates)
+{
+    const Mesh bent = grid_mesh({3, 3}, wavy, [](double a, double b) {
+        return Vec2(a + 0.4 * std::sin(5 * b), b - 0.4 * std::sin(6 * a));
+    });
+    const auto edges = BoundaryRule::edge_only;
+    int places = 0;
+    for (const UvRule uv : {UvRule::none, UvRule::corners_plus1, UvRule::all})
+        for (const auto& [mesh, scheme] : {std::pair(bent, Scheme::catmull_clark),
+                                           std::pair(fan_mesh(5, 0.3), Scheme::catmull_clark),
+                                           std::pair(octahedron(), Scheme::loop)}) {
+            const LimitSurface surface(mesh, options_of(scheme, edges, uv));
+            at_places(
+                surface, 30,
+                [&](const FaceSurface& face, int index, size_t, const ParameterPiece&,
+                    const Vec2& place) {
+                    const auto [low, high] = face.uv_bounds();
+                    const Vec2 at = face.uv_at(place).uv;
+                    EXPECT_TRUE(at.x >= low.x && at.y >= low.y && at.x <= high.x && at.y <= high.y)
+                        << index << " " << at << " in " << low << high;
+                    EXPECT_LT((high - low).length(), 3) << "and are not much too large";
+                    ++places;
+                });
+        }
+    EXPECT_GT(places, 1000);
 }
 
 TEST(LimitSurface, FiniteAtExtraordinaryVertices)

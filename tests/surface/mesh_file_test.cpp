@@ -103,6 +103,8 @@ TEST(MeshFile, EachBadMeshHasOneClearError)
         {kQuad + "vt 0 inf\n" + face,
          "a.obj: line 9: a texture coordinate with \"inf\", expected 2 finite numbers; repair it "
          "or export the mesh again"},
+        {kQuad + "vt 1e6 0\n" + face, "a.obj: texture coordinate (1000000, 0), expected within "
+                                      "1000 of 0; unwrap the mesh again"},
         {"v 1,5 0 0\n" + kQuad + face,
          "a.obj: line 1: a vertex with \"1,5\", expected 3 finite numbers; repair it or export "
          "the mesh again"},

@@ -250,6 +250,10 @@ TEST(TexelMetric, ATileIsEvaluatedByItself)
     const LimitSurface surface(over_four, {});
     const std::vector<std::pair<int, int>> tiles = {{0, -1}, {1, -1}, {0, 0}, {1, 0}};
     EXPECT_EQ(TexelMetrics(surface).tiles(), tiles);
+    Mesh none = over_four;
+    none.holes = {0, 1, 2, 3, 4, 5};
+    const LimitSurface nothing(none, {});
+    EXPECT_TRUE(TexelMetrics(nothing).tiles().empty());
     int64_t covered = 0;
     for (const auto& [u, v] : tiles)
         covered += texels_of(over_four, {64, 64, u, v}).counts.covered;
