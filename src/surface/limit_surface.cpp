@@ -25,14 +25,38 @@ using Cache =
 /// The most that the library takes, for smooth and for creased vertices. A face around one costs
 /// 7 us to prepare, and no more to evaluate than at 2.
 constexpr int kIsolation = 10;
+/// At poles, where the cost of preparing a face grows with the square of the faces there: the
+/// library's own default for smooth vertices.
+constexpr int kIsolationAtPoles = 2;
+/// More faces at a vertex, or corners of a face, make a pole.
+constexpr int kMostAtVertex = 64;
 
-Bfr::SurfaceFactory::Options factory_options()
+Bfr::SurfaceFactory::Options factory_options(int smooth_isolation)
 {
     Bfr::SurfaceFactory::Options options;
     options.SetDefaultFVarID(0);
-    options.SetApproxLevelSmooth(kIsolation);
+    options.SetApproxLevelSmooth(smooth_isolation);
     options.SetApproxLevelSharp(kIsolation);
     return options;
+}
+
+/// Whether each face is at a pole.
+std::vector<bool> faces_at_poles(const Mesh& mesh)
+{
+    std::vector<int> faces_of(mesh.vertices.size());
+    for (const int vertex : mesh.face_vertices)
+        ++faces_of[static_cast<size_t>(vertex)];
+    std::vector<bool> at_pole;
+    at_pole.reserve(mesh.face_sizes.size());
+    auto corner = mesh.face_vertices.begin();
+    for (const int size : mesh.face_sizes) {
+        at_pole.push_back(size > kMostAtVertex ||
+                          std::any_of(corner, corner + size, [&](int vertex) {
+                              return faces_of[static_cast<size_t>(vertex)] > kMostAtVertex;
+                          }));
+        corner += size;
+    }
+    return at_pole;
 }
 
 std::vector<ParameterPiece> pieces_of(const Bfr::Parameterization& parameters)
@@ -116,13 +140,15 @@ std::pair<Vec2, Vec2> FaceSurface::uv_bounds() const
 struct LimitSurface::Data {
     Data(const Mesh& mesh, const SurfaceOptions& options)
         : uvs(uvs_by_vertex(mesh)), vertices(mesh.vertices),
-          refiner(make_refiner(mesh, options, uvs)), factory(*refiner, factory_options())
+          refiner(make_refiner(mesh, options, uvs)), factory(*refiner, factory_options(kIsolation)),
+          pole_factory(*refiner, factory_options(kIsolationAtPoles)), at_pole(faces_at_poles(mesh))
     {}
 
     VertexUvs uvs;
     std::vector<Vec3> vertices;
     std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> refiner;
-    Bfr::RefinerSurfaceFactory<Cache> factory;
+    Bfr::RefinerSurfaceFactory<Cache> factory, pole_factory;
+    std::vector<bool> at_pole;
 };
 
 LimitSurface::LimitSurface(const Mesh& mesh, const SurfaceOptions& options)
@@ -137,7 +163,9 @@ FaceSurface LimitSurface::face(int index) const
 {
     FaceSurface out;
     auto data = std::make_unique<FaceSurface::Data>();
-    if (!data_->factory.InitSurfaces(index, &data->positions, &data->uvs))
+    const auto& factory =
+        data_->at_pole[static_cast<size_t>(index)] ? data_->pole_factory : data_->factory;
+    if (!factory.InitSurfaces(index, &data->positions, &data->uvs))
         return out;
     data->position_points.resize(3 * static_cast<size_t>(data->positions.GetNumPatchPoints()));
     data->uv_points.resize(2 * static_cast<size_t>(data->uvs.GetNumPatchPoints()));

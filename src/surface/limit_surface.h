@@ -64,14 +64,16 @@ private:
 ///
 /// Exact (OpenSubdiv's Bfr, in double) but within 2^-10 of a face's size of an extraordinary
 /// vertex, where a Gregory patch stands in for infinitely many smaller ones: positions and
-/// derivatives stay finite there. A sharpness of 10 and more is infinite.
+/// derivatives stay finite there. Within 1/4 of a face at vertices of more than 64 faces. A
+/// sharpness of 10 and more is infinite.
 ///
 /// Corners of faces at one vertex that have the same texture coordinates count as one, whatever
 /// their indices; corners at different vertices never do.
 class LimitSurface {
 public:
     /// throws Error: Loop of a mesh with other faces than triangles, a crease that is no edge,
-    ///        Chaikin's creases with a sharpness below 10, a topology that OpenSubdiv refuses
+    ///        a vertex of more than 1000 faces, Chaikin's creases with a sharpness below 10, a
+    ///        topology that OpenSubdiv refuses
     LimitSurface(const Mesh& mesh, const SurfaceOptions& options);
     ~LimitSurface();
     LimitSurface(const LimitSurface&) = delete;

@@ -97,6 +97,20 @@ void expect_uniform_creases(const Mesh& mesh, const SurfaceOptions& options)
                                 mesh.name));
 }
 
+/// What faces at a vertex cost, in time and memory, grows with the cube of their number: seconds
+/// for so many.
+constexpr int kMostFacesAtVertex = 1000;
+
+void expect_few_faces_at_vertices(const Mesh& mesh)
+{
+    std::vector<int> faces_of(mesh.vertices.size());
+    for (const int vertex : mesh.face_vertices)
+        if (++faces_of[static_cast<size_t>(vertex)] > kMostFacesAtVertex)
+            throw Error(fmt::format("{}: more than {} faces at vertex {} (from 0); split the pole "
+                                    "by a ring of faces",
+                                    mesh.name, kMostFacesAtVertex, vertex));
+}
+
 /// The library tells why by a callback without context, one for the program.
 class ErrorCapture {
 public:
@@ -192,6 +206,7 @@ std::unique_ptr<Far::TopologyRefiner> make_refiner(const Mesh& mesh, const Surfa
     if (options.scheme == Scheme::loop)
         expect_triangles(mesh);
     expect_uniform_creases(mesh, options);
+    expect_few_faces_at_vertices(mesh);
     const Sharpness sharp(mesh);
     Far::TopologyDescriptor::FVarChannel channel;
     channel.numValues = static_cast<int>(uvs.values.size());

@@ -50,7 +50,7 @@ std::vector<std::pair<int, int>> TexelMetrics::tiles() const
     const auto below = [](double x) { return static_cast<int>(std::floor(x)); };
     const auto above = [](double x) { return static_cast<int>(std::ceil(x)); };
     for (const Box& box : boxes_)
-        if (box.low.x <= box.high.x)
+        if (!box.is_empty())
             boxes.insert(
                 {below(box.low.x), below(box.low.y), above(box.high.x), above(box.high.y)});
     std::set<std::pair<int, int>> rows_then_columns;
@@ -63,6 +63,12 @@ std::vector<std::pair<int, int>> TexelMetrics::tiles() const
     for (const auto& [v, u] : rows_then_columns)
         tiles.emplace_back(u, v);
     return tiles;
+}
+
+int TexelMetrics::faces_without_surface() const
+{
+    return static_cast<int>(
+        std::count_if(boxes_.begin(), boxes_.end(), [](const Box& box) { return box.is_empty(); }));
 }
 
 TexelCounts TexelMetrics::rows(const TexelGrid& grid, int first, int count,

@@ -49,6 +49,10 @@ public:
     /// may be listed whose texels are all outside.
     [[nodiscard]] std::vector<std::pair<int, int>> tiles() const;
 
+    /// Holes, faces at a boundary without rule, and what else OpenSubdiv has no surface of: they
+    /// cover no texel.
+    [[nodiscard]] int faces_without_surface() const;
+
     /// texels  gets count x width of rows [first, first + count); 64 rows and more share the
     ///         preparing of faces well
     TexelCounts rows(const TexelGrid& grid, int first, int count, TexelMetric* texels) const;
@@ -56,10 +60,11 @@ public:
 private:
     struct Box {
         Vec2 low, high;
+        [[nodiscard]] bool is_empty() const { return low.x > high.x; }
     };
 
     const LimitSurface& surface_;
-    std::vector<Box> boxes_; ///< of the faces' texture coordinates; empty: low > high
+    std::vector<Box> boxes_; ///< of the faces' texture coordinates
 };
 
 } // namespace scree

@@ -126,7 +126,7 @@ TEST(LimitSurface, BoundsHoldAllTextureCoordinates)
 
 TEST(LimitSurface, FiniteAtExtraordinaryVertices)
 {
-    for (const int valence : {3, 5, 6, 8, 20, 60})
+    for (const int valence : {3, 5, 6, 8, 20, 60, 70})
         for (const UvRule uv : {UvRule::all, UvRule::none}) {
             const LimitSurface surface(
                 fan_mesh(valence, 0.5),
@@ -170,6 +170,8 @@ TEST(LimitSurface, WhatCannotBeMadeSaysWhy)
         error_of(mesh, Scheme::catmull_clark),
         "cube: creases by Chaikin's method with a sharpness below 10, which is not supported; "
         "use the method normal, or sharpness 10");
+    EXPECT_EQ(error_of(fan_mesh(1001), Scheme::catmull_clark),
+              "fan: more than 1000 faces at vertex 0 (from 0); split the pole by a ring of faces");
     EXPECT_EQ(error_of(octahedron(), Scheme::loop), "");
 }
 

@@ -254,6 +254,8 @@ TEST(TexelMetric, ATileIsEvaluatedByItself)
     none.holes = {0, 1, 2, 3, 4, 5};
     const LimitSurface nothing(none, {});
     EXPECT_TRUE(TexelMetrics(nothing).tiles().empty());
+    EXPECT_EQ(TexelMetrics(nothing).faces_without_surface(), 6);
+    EXPECT_EQ(TexelMetrics(surface).faces_without_surface(), 0);
     int64_t covered = 0;
     for (const auto& [u, v] : tiles)
         covered += texels_of(over_four, {64, 64, u, v}).counts.covered;
