@@ -59,7 +59,8 @@ Rgbf EffectiveBrdf::operator()(const filter::Directions<double>& w) const
         const auto weight = static_cast<double>(texels_[n].coverage);
         weights += 2 * weight * options_.turns;
         for (int turn = 0; turn < options_.turns; ++turn) {
-            const double share = static_cast<double>(turn / 2) / ((options_.turns + 1) / 2);
+            const int pair = turn / 2, pairs = (options_.turns + 1) / 2;
+            const double share = static_cast<double>(pair) / pairs;
             const double angle = kTurn * (kGolden * static_cast<double>(n) + share);
             const bool mirrored = turn % 2 == 1;
             const Vec3f wo = moved(w.wo, angle, mirrored), wi = moved(w.wi, angle, mirrored);
