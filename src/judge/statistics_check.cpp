@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "judge/statistics_figures.h"
 #include "math/error.h"
@@ -189,6 +188,8 @@ public:
                 const reference::Texel& texel = truth[static_cast<size_t>(j) * width + x];
                 scale_.raise(texel);
                 for (size_t i = 0; i < figures_.size(); ++i) {
+                    if (texel.coverage == 0 && figures_[i].map != Map::coverage)
+                        continue;
                     errors_[i].at(static_cast<int>(x), first + j);
                     figures_[i].compare(row[x], texel, map, errors_[i]);
                 }
@@ -221,9 +222,7 @@ std::vector<StatisticsFigure> check_statistics(SetReader& set, const Original& o
     const int levels = truth.levels();
     const reference::Texel top = truth.at(levels - 1, 0, 0);
     const MapScale map_scale(top, truth.h1());
-    MapTruth map{truth.h0(), truth.h1(), manifest.has_height, {}};
-    if (!manifest.color_map)
-        map.color_without_data = top.mean_color;
+    const MapTruth map{truth.h0(), truth.h1(), manifest.has_height};
 
     const std::vector<Figure> figures = figures_of(manifest);
     std::vector<std::vector<StatisticsFigure>> found(figures.size());

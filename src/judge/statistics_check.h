@@ -32,8 +32,8 @@ struct StatisticsFigure {
 /// ones 1e-5, tau 1e-4, or where the numbers stored are far above the yardstick one unit in their
 /// last place (of slope covariances four), 1/8 of it at most (1/2). Rank tables coarser than 64x64
 /// texels have 2/512 more. Not compared: tau where the covariance is thin to within 0.1 % of the
-/// limit or nothing but rounding; the color of texels without data of sets with a color map; the
-/// table of a color map.
+/// limit or nothing but rounding; of texels without data all but the coverage; the table of a color
+/// map.
 ///
 /// progress  is told the share done, in [0, 1]; it may throw to stop
 /// Throws Error where the set cannot be read, or is not of the original's size.

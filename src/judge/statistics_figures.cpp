@@ -68,13 +68,10 @@ void world_height(const SetTexel& set, const Truth& truth, const MapTruth& map, 
     errors.note(wide(set.world_height), expected, expected);
 }
 
-void mean_color(const SetTexel& set, const Truth& truth, const MapTruth& map, ErrorSums& errors)
+void mean_color(const SetTexel& set, const Truth& truth, const MapTruth& /*map*/, ErrorSums& errors)
 {
-    if (truth.coverage == 0 && !map.color_without_data)
-        return;
-    const auto& color = truth.coverage > 0 ? truth.mean_color : *map.color_without_data;
     for (size_t c = 0; c < 3; ++c)
-        errors.note(wide(set.color[c]), color[c], color[c]);
+        errors.note(wide(set.color[c]), truth.mean_color[c], truth.mean_color[c]);
 }
 
 void color_height(const SetTexel& set, const Truth& truth, const MapTruth& /*map*/,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,8 +47,6 @@ enum class Yardstick {
 struct MapTruth {
     double h0 = 0, h1 = 1;
     bool has_height = true;
-    /// Color of texels without data; absent where it is not the map's mean (color maps).
-    std::optional<reference::Rgb> color_without_data;
 };
 
 /// A figure of a texture that a reader recovers from its numbers.
@@ -64,7 +61,7 @@ struct Figure {
 /// All figures of a set, texture by texture.
 ///
 /// Products with another texture's mean are held against the truth's mean: its rounding is that
-/// texture's error. Texels without data hold slope 0, height 0 and the map's mean color.
+/// texture's error. Only of the coverage texels without data are told anything.
 std::vector<Figure> figures_of(const Manifest& manifest);
 
 } // namespace scree

@@ -171,7 +171,7 @@ TEST(StatisticsCheck, FindsSetsOfColorMapsRight)
     Image heights{37, 21, {"Y"}, {}};
     for (const double h : c.input.relief.heights)
         heights.pixels.push_back(static_cast<float>(h));
-    heights.pixels[50] = std::nanf(""); // holes have a color of their own, which is not compared
+    heights.pixels[50] = std::nanf(""); // what a hole holds is not compared
     write_image(temp / "height.exr", heights);
     std::ofstream(temp / "map.cpt") << "0 10/20/30 0.4 200/100/50\n0.4 200/100/50 1 0/0/255\n";
     for (const MapBy by : {MapBy::height, MapBy::slope, MapBy::slope_magnitude}) {

@@ -39,7 +39,7 @@ std::vector<double> errors_of(const MemorySource& given, int terms)
         double worst = 0;
         for (int y = 0; y < levels[l].height; ++y)
             for (int x = 0; x < levels[l].width; ++x)
-                for (int c = 0; c < 3; ++c)
+                for (int c = 0; truth.levels[l].at(x, y).coverage > 0 && c < 3; ++c)
                     for (int n = 0; n < terms; ++n) {
                         const double expected =
                             truth.levels[l].at(x, y).rank[static_cast<size_t>(n)]
