@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "pipeline/describe.h"
+#include "pipeline/gutter_rows.h"
 #include "pipeline/level_report.h"
 #include "pipeline/map_choice.h"
 #include "pipeline/pixel_types.h"
@@ -92,6 +93,7 @@ std::vector<LevelSummary> write_textures(const Surface& surface, SetPlan& plan,
             scale.exponents.push_back(fit.value_or(ExponentFit()));
     LevelReport report(layout, surface.width(), surface.height(), surface.found.h1);
     std::vector<TextureOutput> outputs;
+    std::vector<TextureRows*> textures;
     const bool is_reported = !manifest.levels.empty();
     std::vector<TexelVisitor*> visitors;
     if (!is_reported)
@@ -107,9 +109,16 @@ std::vector<LevelSummary> write_textures(const Surface& surface, SetPlan& plan,
                                                 attributes_of(texture.map, manifest)}),
             nullptr};
         output.rows = std::make_unique<TextureRows>(texture.map, layout, scale, *output.file);
-        visitors.push_back(output.rows.get());
+        textures.push_back(output.rows.get());
         outputs.push_back(std::move(output));
     }
+    std::optional<GutterRows> gutter;
+    if (!surface.found.covered)
+        visitors.push_back(&gutter.emplace(surface.width(), surface.height(),
+                                           surface.options.wrap_s, surface.options.wrap_t,
+                                           textures));
+    else
+        visitors.insert(visitors.end(), textures.begin(), textures.end());
     std::optional<ModelErrors> models;
     if (measures)
         visitors.push_back(&models.emplace(layout, scale, plan.map_table, plan.tables, views,

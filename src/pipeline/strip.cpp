@@ -175,7 +175,7 @@ void TexelMoments::fill_heights(const double* heights, int count, MomentRow out)
         h[x] = std::isnan(heights[x]) ? 0 : (heights[x] - survey_.h0) * per_h1;
 }
 
-// A texel without data holds the map's mean color, for what a filter blends in.
+// A texel without data holds the map's mean color, for what a filter blends in beyond the gutter.
 
 void TexelMoments::fill_colors(const float* rgb, int count, MomentRow out) const
 {

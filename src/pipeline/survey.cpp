@@ -39,7 +39,7 @@ struct Sums {
     double max = -std::numeric_limits<double>::infinity();
     std::array<double, 3> color{};
     long long no_data = 0;
-    bool unit_weights = true;
+    bool unit_weights = true, covered = true;
 
     void merge(const Sums& other)
     {
@@ -50,6 +50,7 @@ struct Sums {
             color[c] += other.color[c];
         no_data += other.no_data;
         unit_weights = unit_weights && other.unit_weights;
+        covered = covered && other.covered;
     }
 };
 
@@ -68,6 +69,7 @@ void add_row(const double* presence, const float* weight, int width, std::vector
         w[x] = valid ? given : 0;
         missing += valid ? 0 : 1;
         sums.unit_weights = sums.unit_weights && given == 1;
+        sums.covered = sums.covered && w[x] > 0;
         total += w[x];
         first += w[x] * h;
         min = valid && h < min ? h : min;
@@ -171,6 +173,7 @@ Survey survey(Source& source, const BakeMonitor& monitor)
     result.rejects = source.rejects();
     result.no_data_texels = all.no_data;
     result.complete = all.no_data == 0 && all.unit_weights;
+    result.covered = all.covered;
     for (size_t c = 0; c < 3; ++c)
         result.mean_color[c] = static_cast<float>(all.color[c] / all.height.weight);
     if (source.has_heights()) {

@@ -15,6 +15,7 @@ struct Survey {
     double height_min = 0, height_max = 0;
     std::array<float, 3> mean_color{}; ///< weighted, scene-linear
     bool complete = true;              ///< every texel has data, with weight 1
+    bool covered = true;               ///< every texel has data, with some weight
     long long no_data_texels = 0;
     std::vector<double> first_row, last_row; ///< heights, for a map that is periodic along t
     Rejects rejects;

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "pipeline/gutter.h"
 #include "pipeline/moment_pyramid.h"
 #include "pipeline/pool.h"
 #include "pipeline/texture_values.h"
@@ -22,6 +23,17 @@ public:
     void texels(int level, int y, int x0, int count, MomentRow row) override;
     void rows_end(int level, int end) override;
 
+    /// Gives texels of a row the mean of their neighbours, those across the map's edges included.
+    ///
+    /// Coverage stays as it is. The rows of the neighbours are not finished. Different rows, and
+    /// texels that are not each other's neighbours, on different threads.
+    void blend(int level, int y, const std::vector<GutterTexel>& texels);
+
+    /// Finishes the tile rows inside rows [begin, end) of a level.
+    ///
+    /// begin  of a tile row
+    void finish(int level, int begin, int end);
+
     /// The tile rows finished since the last call.
     std::vector<TileRow> take_finished();
 
@@ -34,6 +46,8 @@ public:
 private:
     template <class Store>
     void store_texels(int level, int y, int x0, int count, MomentRow row);
+    template <class Store>
+    void blend_texels(int level, int y, const GutterTexel* texels, int count);
     TileRow& open_row(int level, int y);
 
     Map map_;
