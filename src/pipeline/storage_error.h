@@ -24,8 +24,9 @@ namespace scree {
 ///   rank               a coefficient, over the same as for colorheight
 ///   tail, coverage     the number itself
 /// Where a level's slope varies less than float resolves (1e-6 of its mean square) that is the
-/// yardstick. A number beyond the type's range counts as an error of kLost. The gutter is not looked
-/// at (pipeline/gutter.h): it has no truth, and means of stored numbers are in the type's range.
+/// yardstick. A number beyond the type's range counts as an error of kLost. The gutter is not
+/// looked at (pipeline/gutter.h): it has no truth, and means of stored numbers are in the type's
+/// range.
 class StorageError : public TexelVisitor {
 public:
     static constexpr double kLost = 1e9;
