@@ -13,7 +13,7 @@
 namespace scree::test {
 namespace {
 
-constexpr int kSize = 48;
+constexpr int kSize = 96; // two strips of rows
 
 /// A parallelogram over the whole texture: P = corner + u along + v up, in the plane.
 std::string parallelogram(const Vec3& along, const Vec3& up)
