@@ -146,14 +146,16 @@ void add_brdf_table(CLI::App& table)
         ->check(number_from_to(0.001, 1));
     command->add_option("--f0", words->brdf.f0, "reflectance at normal incidence [0.04]")
         ->check(number_from_to(0, 1));
-    command->add_option("--turns", words->brdf.turns, "turns of the surface to average [16]")
-        ->check(whole_number_from_to(1, 4096));
+    auto* turns =
+        command->add_option("--turns", words->brdf.turns, "turns of the surface to average [16]")
+            ->check(whole_number_from_to(1, 4096));
     command->add_flag("--compare", words->compare,
                       "measure the other two parametrizations with as many nodes");
 
     auto* rays = command->add_option_group("Reference");
     auto* reference = rays->add_flag("--reference", words->reference,
-                                     "trace the surface the set was baked from, not what is baked");
+                                     "trace the surface the set was baked from, not what is baked")
+                          ->excludes(turns);
     rays->add_option("--samples", words->samples, "along each side of the map: 64 is 64x64")
         ->needs(reference)
         ->check(whole_number_from_to(2, 1024))

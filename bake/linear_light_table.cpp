@@ -33,11 +33,15 @@ void run(const CLI::App& command, const LinearLightWords& words)
             sizes_named("--resolution", words.resolution, 4096, usual_word(coordinates));
         size = {views, normals, azimuths};
     }
-    make_table(command, "linear-light", words.table,
-               [coordinates, &size](const std::function<void(double)>& progress) {
-                   return MadeTable{linear_light_manifest(coordinates, size),
-                                    linear_light_table(coordinates, size, progress).values};
-               });
+    make_table(
+        command, "linear-light", words.table, [&](const std::function<void(double)>& progress) {
+            TableManifest manifest = linear_light_manifest(coordinates, size);
+            manifest.options = {
+                {"coordinates", words.coordinates},
+                {"resolution", fmt::format("{}x{}x{}", size.views, size.normals, size.azimuths)}};
+            return MadeTable{std::move(manifest),
+                             linear_light_table(coordinates, size, progress).values};
+        });
 }
 
 } // namespace

@@ -33,8 +33,10 @@ SetInputs read_set_inputs(const Manifest& manifest, const SetWords& words,
                           const BakeMonitor& monitor)
 {
     if (manifest.mesh)
-        throw Error(fmt::format("{}: was baked for a mesh; brute force and rays know planes only",
-                                words.path.string()));
+        throw Error(
+            fmt::format("{}: was baked for a mesh, and brute force and rays know planes only; "
+                        "bake the same heights without --mesh to check them",
+                        words.path.string()));
     const InputFiles files = find_inputs(manifest, words.path, words.inputs);
     BakeOptions options = options_of_manifest(manifest, files);
     options.ocio_config = words.ocio_config;

@@ -11,6 +11,8 @@ grep -q '4 cos theta_v x 5 cos theta_n x 6 phi_n' stdout || fail "no summary: $(
 
 expect_success 'over the cone when nothing else is said' -- "$scree" table linear-light -o cone
 grep -q '"quantity": "stretch"' cone/linear-light.scree-table.json || fail 'no stretch over the cone'
+grep -q '"coordinates": "cone"' cone/linear-light.scree-table.json ||
+    fail 'the manifest does not say what an option not given stands for'
 grep -q '32 cos theta_v x 64 (r + 1) / (r + 3) x 32 side' stdout || fail "no summary: $(cat stdout)"
 expect_success 'over angles as the source has it' -- \
     "$scree" table linear-light --coordinates angles -o angles
