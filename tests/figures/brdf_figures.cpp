@@ -9,6 +9,7 @@
 
 #include "figures/brdf_materials.h"
 #include "figures/data_program.h"
+#include "figures/flat_places.h"
 #include "figures/markdown.h"
 #include "tables/brdf_error.h"
 
@@ -102,6 +103,27 @@ void print_kernel(const std::vector<BrdfSurface>& surfaces, const std::vector<Br
     }
 }
 
+/// Mirrored views, and why the kernel's are too bright.
+void print_mirrored(const std::vector<BrdfSurface>& surfaces)
+{
+    constexpr int kGrid = 160;
+    fmt::print("\nView and light mirrored in the surface: BRDF, and what flat places see\n\n");
+    print_head({"surface", "degrees", "kernel", "rays", "open to one", "to both",
+                "to both by Smith", "height rank"});
+    for (const BrdfSurface& surface : surfaces) {
+        const BrdfFunction kernel = surface.baked(1), rays = surface.traced(kGrid, 1);
+        for (const int degrees : {60, 75, 80, 84}) {
+            const double angle = degrees * std::acos(-1.0) / 180;
+            const Vec3 wo(std::sin(angle), 0, std::cos(angle)), wi(-wo.x, 0, wo.z);
+            const FlatPlaces flat = flat_places(*surface.surface, degrees);
+            const auto number = [](auto value) { return fmt::format("{:.2f}", value); };
+            print_row({surface.name, std::to_string(degrees), number(kernel({wo, wi})[1]),
+                       number(rays({wo, wi})[1]), number(flat.open), number(flat.open_both),
+                       number(flat.smith_both), number(flat.height_rank)});
+        }
+    }
+}
+
 void run(const std::string& data)
 {
     constexpr int kGrid = 32;
@@ -119,6 +141,7 @@ void run(const std::string& data)
     print_size({16, 16, 8}, materials, regions, truth);
     print_size({32, 32, 16}, materials, regions, truth);
     print_kernel(surfaces, brdf_regions(500));
+    print_mirrored(surfaces);
 }
 
 } // namespace

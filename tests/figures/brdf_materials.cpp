@@ -86,7 +86,7 @@ BrdfSurface surface_of(Asset asset)
             std::make_shared<TracedBrdf>(*surface, TracedBrdfOptions{kBaseAlpha, kF0, grid, seed});
         return [surface, brdf](const Directions<double>& w) { return (*brdf)(w); };
     };
-    return {asset.name, baked, traced};
+    return {asset.name, surface, baked, traced};
 }
 
 } // namespace

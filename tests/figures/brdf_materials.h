@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "reference/displaced_surface.h"
 #include "tables/brdf_table.h"
 
 namespace scree::test {
@@ -20,6 +22,7 @@ std::vector<BrdfMaterial> brdf_formulas();
 /// A surface, both ways; facets of base_alpha 0.2 and f0 0.04.
 struct BrdfSurface {
     std::string name;
+    std::shared_ptr<const reference::DisplacedSurface> surface;
     /// Of the texels of a level, by the kernel.
     ///
     /// side  texels along each axis; a power of 2
