@@ -145,7 +145,8 @@ SetLevel MeshAndPlane::level(bool on_mesh, Map map, int level) const
     for (const TextureRecord& texture : (on_mesh ? of_mesh : of_plane).textures)
         if (texture.map == map)
             return {std::filesystem::path(on_mesh ? mesh : plane) / texture.file, level};
-    throw Error((on_mesh ? mesh : plane) + ": a texture is missing that the picture needs");
+    throw Error((on_mesh ? mesh : plane) + ": no texture " + map_info(map).name +
+                ", which the picture needs");
 }
 
 double MeshAndPlane::plane_length() const { return of_plane.texel_width * of_plane.width; }
