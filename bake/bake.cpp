@@ -13,6 +13,7 @@
 #include "bake/set_tables.h"
 #include "bake/supervisor.h"
 #include "bake/terminal.h"
+#include "texset/udim.h"
 
 namespace scree::tool {
 
@@ -22,18 +23,33 @@ namespace {
 const std::set<std::string> kNotRecorded = {"recipe", "output", "threads",  "quiet", "help",
                                             "height", "color",  "colormap", "mesh",  "ocio-config"};
 
+std::uintmax_t bytes_of(const TextureRecord& texture, const Manifest& manifest,
+                        const std::filesystem::path& folder)
+{
+    std::error_code ignored;
+    if (!is_tiled(texture.file))
+        return std::filesystem::file_size(folder / texture.file, ignored);
+    std::uintmax_t bytes = 0;
+    for (const TileRecord& tile : manifest.tiles)
+        bytes +=
+            std::filesystem::file_size(folder / file_of_tile(texture.file, tile.number), ignored);
+    return bytes;
+}
+
 void print_summary(const Manifest& manifest, const std::filesystem::path& folder)
 {
-    fmt::print("{}: {}x{}, {} levels\n", folder.string(), manifest.width, manifest.height,
-               manifest.levels.size());
+    if (manifest.tiles.empty())
+        fmt::print("{}: {}x{}, {} levels\n", folder.string(), manifest.width, manifest.height,
+                   manifest.levels.size());
+    else
+        fmt::print("{}: {} tiles, {}x{} the largest\n", folder.string(), manifest.tiles.size(),
+                   manifest.width, manifest.height);
     size_t width = 0;
     for (const TextureRecord& texture : manifest.textures)
         width = std::max(width, texture.file.size());
     for (const TextureRecord& texture : manifest.textures) {
-        std::error_code ignored;
-        const auto bytes = std::filesystem::file_size(folder / texture.file, ignored);
         fmt::print("  {:{}} {:5} {:10.1f} kB", texture.file, width, pixel_type_name(texture.type),
-                   static_cast<double>(bytes) / 1000);
+                   static_cast<double>(bytes_of(texture, manifest, folder)) / 1000);
         if (texture.half_error)
             fmt::print("  (error as half {:.1e}, as float {:.1e})", *texture.half_error,
                        *texture.float_error);
@@ -61,6 +77,7 @@ void run(CLI::App& command, BakeWords& words)
     for (const auto& warning : manifest.warnings)
         fmt::print(stderr, "scree: warning: {}\n", warning);
     print_summary(manifest, words.options.output);
+    print_mesh(manifest);
     print_color_map(manifest);
     print_model_choice(manifest);
 }
@@ -77,7 +94,9 @@ void add_bake(CLI::App& app)
     command->footer("Examples:\n"
                     "  scree bake --height rock.exr --color rock.png --world-size 2 -o rock\n"
                     "  scree bake configs/film.toml --height dem.tif --height-scale 32767 "
-                    "--texel-size 30 -o dem");
+                    "--texel-size 30 -o dem\n"
+                    "  scree bake --height 'skin.<UDIM>.exr' --color 'skin.<UDIM>.png' --mesh "
+                    "body.obj --height-scale 0.02 -o skin");
     command->callback([command, words] { run(*command, *words); });
 }
 

@@ -9,6 +9,7 @@
 #include "bake/recipe.h"
 #include "bake/terminal.h"
 #include "math/error.h"
+#include "texset/udim.h"
 
 namespace scree::tool {
 
@@ -23,7 +24,9 @@ void add_bake_options(CLI::App& command, BakeWords& words)
     BakeOptions& o = words.options;
 
     auto* files = command.add_option_group("Files");
-    files->add_option("--height", o.height_file, "height map (or normal map, see --input)");
+    files->add_option("--height", o.height_file,
+                      "height map (or normal map, see --input); <UDIM> in its name stands for the "
+                      "numbers of tiles, 1001 and up, here and in --color");
     files->add_option("--color", o.color_file, "color texture of the same size");
     files->add_option(
         "--colormap", o.colormap_file,
@@ -54,15 +57,18 @@ void add_bake_options(CLI::App& command, BakeWords& words)
         ->option_text("W [H]");
     surface
         ->add_option("--world-size", words.world_size,
-                     "world size of the whole map [one unit wide, square texels]")
+                     "world size of the whole map, or of a tile [one unit wide, square texels]")
         ->expected(1, 2)
         ->option_text("W [H]");
     surface
         ->add_option("--wrap", words.wrap,
                      "beyond the edge: periodic, clamp, mirror or black; once, or for s and t "
-                     "[periodic]")
+                     "[periodic; of tiles clamp]")
         ->expected(1, 2)
         ->option_text("S [T]");
+    surface->add_flag("--udim-wrap", o.udim_wrap,
+                      "slopes at the border of a tile see the tile beyond it (with --mesh: where "
+                      "the surface goes on, by itself)");
     surface
         ->add_option("--reconstruction", words.reconstruction,
                      "slopes from heights: bilinear (exact), central, sobel (as maketx)")
@@ -206,6 +212,8 @@ void interpret(CLI::App& command, BakeWords& words)
         if (!words.wrap.empty()) {
             o.wrap_s = wrap_named(words.wrap.front());
             o.wrap_t = wrap_named(words.wrap.back());
+        } else if (is_tiled(o.height_file)) {
+            o.wrap_s = o.wrap_t = Wrap::clamp;
         }
         interpret_mesh(words.mesh, o);
         o.normal_input = input_is_normal(words.input);

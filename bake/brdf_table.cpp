@@ -53,7 +53,7 @@ BrdfGrid grid_of(const BrdfWords& words)
 
 BrdfSource traced_source(const BrdfWords& words, const BakeMonitor& monitor)
 {
-    const SetReader set(words.set.path);
+    const SetReader set(words.set.path, words.set.tile);
     if (words.level >= 0)
         expect_level(words.set.path, set.manifest(), words.level);
     Original original = read_set_inputs(set.manifest(), words.set, monitor).original;
@@ -73,7 +73,8 @@ BrdfSource source_of(const BrdfWords& words, const BakeMonitor& monitor)
 {
     if (words.reference)
         return traced_source(words, monitor);
-    const auto baked = std::make_shared<EffectiveBrdf>(words.set.path, words.level, words.brdf);
+    const auto baked =
+        std::make_shared<EffectiveBrdf>(words.set.path, words.level, words.brdf, words.set.tile);
     return {[baked](const filter::Directions<double>& w) { return (*baked)(w); }, {}};
 }
 

@@ -2,7 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "pipeline/named_choice.h"
+#include "math/error.h"
+#include "pipeline/mesh_options.h"
 
 namespace scree::tool {
 
@@ -12,8 +13,8 @@ void add_mesh_options(CLI::App& command, MeshWords& words, BakeOptions& options)
     mesh->add_option("--mesh", options.mesh_file,
                      "cage of a subdivision surface (OBJ with UVs, heights in its units) that the "
                      "texture lies on: slopes are those on its limit surface [a plane]");
-    mesh->add_option("--scheme", words.scheme, "catmull-clark, or loop (triangles only)")
-        ->capture_default_str();
+    mesh->add_option("--scheme", words.scheme,
+                     "catmull-clark, or loop (triangles only) [catmull-clark]");
     mesh->add_option("--boundary", words.boundary,
                      "edges of one face: edge-and-corner, edge-only or none (no surface there) "
                      "[as the file says; edge-and-corner]");
@@ -24,22 +25,16 @@ void add_mesh_options(CLI::App& command, MeshWords& words, BakeOptions& options)
 
 void interpret_mesh(const MeshWords& words, BakeOptions& options)
 {
+    const bool any = !words.scheme.empty() || !words.boundary.empty() || !words.uvs.empty();
+    if (any && options.mesh_file.empty())
+        throw Error("--scheme, --boundary and --uv-interpolation speak of a mesh; give --mesh");
     SurfaceOptions& to = options.subdivision;
-    to.scheme = named<Scheme>("--scheme", words.scheme,
-                              {{"catmull-clark", Scheme::catmull_clark}, {"loop", Scheme::loop}});
+    if (!words.scheme.empty())
+        to.scheme = scheme_named(words.scheme);
     if (!words.boundary.empty())
-        to.rules.boundary = named<BoundaryRule>("--boundary", words.boundary,
-                                                {{"edge-and-corner", BoundaryRule::edge_and_corner},
-                                                 {"edge-only", BoundaryRule::edge_only},
-                                                 {"none", BoundaryRule::none}});
+        to.rules.boundary = boundary_named(words.boundary);
     if (!words.uvs.empty())
-        to.rules.uv = named<UvRule>("--uv-interpolation", words.uvs,
-                                    {{"all", UvRule::all},
-                                     {"boundaries", UvRule::boundaries},
-                                     {"corners-plus2", UvRule::corners_plus2},
-                                     {"corners-plus1", UvRule::corners_plus1},
-                                     {"corners-only", UvRule::corners_only},
-                                     {"none", UvRule::none}});
+        to.rules.uv = uv_interpolation_named(words.uvs);
 }
 
 } // namespace scree::tool

@@ -12,7 +12,7 @@ namespace scree::tool {
 
 /// What the command line says of the mesh a texture lies on.
 struct MeshWords {
-    std::string scheme = "catmull-clark";
+    std::string scheme;        ///< empty: catmull-clark
     std::string boundary, uvs; ///< empty: as the file says
 };
 

@@ -209,7 +209,7 @@ void run(PreviewWords& words)
     const ThreadLimit limit(words.threads);
     TextureFilter filter;
     filter.is_tiled = true;
-    const SetLookup set(words.set.path, filter);
+    const SetLookup set(words.set.path, filter, words.set.tile);
     const Manifest& manifest = set.manifest();
     std::optional<reference::DisplacedSurface> surface;
     if (needs_surface(words.scene))

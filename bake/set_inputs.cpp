@@ -4,17 +4,26 @@
 #include <fmt/format.h>
 
 #include "bake/bake_words.h"
+#include "bake/checks.h"
 #include "bake/supervisor.h"
 #include "judge/inputs.h"
 #include "judge/ray_reach.h"
 #include "math/error.h"
+#include "texset/udim.h"
 
 namespace scree::tool {
 
 void add_set_options(CLI::App& command, CLI::App& files, SetWords& words)
 {
     command.add_option("set", words.path, "folder or manifest of a texture set")->required();
+    add_tile_option(files, words.tile);
     add_input_options(files, words);
+}
+
+void add_tile_option(CLI::App& files, int& tile)
+{
+    files.add_option("--udim", tile, "the tile that is meant, of a set of tiles: its number")
+        ->check(whole_number_from_to(kFirstUdim, kLastUdim));
 }
 
 void add_input_options(CLI::App& files, SetWords& words)
@@ -37,6 +46,11 @@ SetInputs read_set_inputs(const Manifest& manifest, const SetWords& words,
             fmt::format("{}: was baked for a mesh, and brute force and rays know planes only; "
                         "bake the same heights without --mesh to check them",
                         words.path.string()));
+    if (manifest.options.count("udim-wrap") > 0)
+        throw Error(fmt::format("{}: its tiles see each other's heights, and brute force and rays "
+                                "know single maps only; bake the tiles without --udim-wrap to "
+                                "check them",
+                                words.path.string()));
     const InputFiles files = find_inputs(manifest, words.path, words.inputs);
     BakeOptions options = options_of_manifest(manifest, files);
     options.ocio_config = words.ocio_config;

@@ -20,10 +20,14 @@ struct SetWords {
     std::filesystem::path path;                ///< folder or manifest
     std::vector<std::filesystem::path> inputs; ///< folders to look for the files in
     std::string ocio_config;                   ///< empty: none was named
+    int tile = 0;                              ///< UDIM number; 0: the set is one map
 };
 
-/// Gives a command the argument `set`, and its group of files --inputs and --ocio-config.
+/// Gives a command the argument `set`, and its group of files --udim, --inputs and --ocio-config.
 void add_set_options(CLI::App& command, CLI::App& files, SetWords& words);
+
+/// --udim: which tile of a set of tiles is meant.
+void add_tile_option(CLI::App& files, int& tile);
 
 /// --inputs and --ocio-config alone.
 void add_input_options(CLI::App& files, SetWords& words);

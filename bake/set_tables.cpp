@@ -32,24 +32,60 @@ void print_visibility(const VisibilityRecord& table)
         fmt::print("{} harmonic{}\n", table.harmonics, table.harmonics == 1 ? "" : "s");
 }
 
-void print_mesh(const MeshRecord& mesh)
+std::string columns_of_tile(const TileRecord& tile)
 {
-    fmt::print("  charts cover {} texels, {:g} square world units; {} overlap, {} mirrored, {} "
-               "without tangents\n  height times curvature reaches {:.2g}, at texel {}, {}\n",
-               mesh.covered, mesh.area, mesh.overlapped, mesh.mirrored, mesh.singular,
-               mesh.largest_displacement, mesh.displaced_most[0], mesh.displaced_most[1]);
+    const bool known = !tile.levels.empty();
+    return fmt::format("{:>12} {:>6} {:>10} {:>10} {:>10}",
+                       fmt::format("{}x{}", tile.width, tile.height), tile.levels.size(),
+                       tile.no_data_texels,
+                       known ? fmt::format("{:.3f}", tile.levels.front().coverage) : "-",
+                       known ? cell(tile.levels.back().rms_slope, "{:.4g}") : "-");
 }
 
 } // namespace
 
+void print_mesh(const Manifest& m)
+{
+    if (!m.mesh)
+        return;
+    const MeshRecord& mesh = *m.mesh;
+    fmt::print("  {} subdivision, boundary {}, UVs linear: {}\n", mesh.scheme, mesh.boundary,
+               mesh.uv_interpolation);
+    fmt::print("  charts: {}, mirrored: {}; {} texels in them, {:g} square world units; overlapped "
+               "{}, mirrored {}, without tangents {}\n",
+               mesh.charts, mesh.mirrored_charts, mesh.covered, mesh.area, mesh.overlapped,
+               mesh.mirrored, mesh.singular);
+    if (!(mesh.largest_displacement > 0))
+        return;
+    fmt::print("  height times curvature: {:.2g} at most, at texel {}, {}{}; below {:.2g} on 99 % "
+               "of the area\n",
+               mesh.largest_displacement, mesh.displaced_most[0], mesh.displaced_most[1],
+               mesh.displaced_tile == 0 ? "" : fmt::format(" of tile {}", mesh.displaced_tile),
+               mesh.usual_displacement);
+}
+
+void print_tiles(const Manifest& m)
+{
+    if (m.tiles.empty())
+        return;
+    fmt::print("\ntile {:>12} {:>6} {:>10} {:>10} {:>10}\n", "size", "levels", "no data",
+               "coverage", "rms");
+    for (const TileRecord& tile : m.tiles)
+        fmt::print("{} {}\n", tile.number, columns_of_tile(tile));
+}
+
 void print_head(const Manifest& m)
 {
-    fmt::print("{}  {}x{}, {} levels, scree {}\n", m.name, m.width, m.height, m.levels.size(),
-               m.program_version);
+    if (m.tiles.empty())
+        fmt::print("{}  {}x{}, {} levels, scree {}\n", m.name, m.width, m.height, m.levels.size(),
+                   m.program_version);
+    else
+        fmt::print("{}  {} tiles, {}x{} the largest, scree {}\n", m.name, m.tiles.size(), m.width,
+                   m.height, m.program_version);
     for (const auto& input : m.inputs) {
         const std::string what =
             input.role == "mesh"
-                ? fmt::format("{} faces", m.mesh ? m.mesh->faces : 0)
+                ? fmt::format("faces: {}", m.mesh ? m.mesh->faces : 0)
                 : fmt::format("{}x{} {}, channels {}{}{}", input.width, input.height, input.type,
                               input.channels, input.color_space.empty() ? "" : ", ",
                               input.color_space);
@@ -57,8 +93,7 @@ void print_head(const Manifest& m)
     }
     fmt::print("  wrap {} {}, texel {:g} x {:g} {} units, {} slopes\n", m.wrap_s, m.wrap_t,
                m.texel_width, m.texel_height, m.mesh ? "texture" : "world", m.reconstruction);
-    if (m.mesh)
-        print_mesh(*m.mesh);
+    print_mesh(m);
     if (m.has_height)
         fmt::print("  height {:g} to {:g}, mean h0 {:g}, standard deviation h1 {:g}\n",
                    m.height_min, m.height_max, m.h0, m.h1);

@@ -7,6 +7,10 @@ namespace scree::tool {
 /// What a set was made of.
 void print_head(const Manifest& manifest);
 void print_textures(const Manifest& manifest);
+/// What was found of the mesh; nothing for a set on a plane.
+void print_mesh(const Manifest& manifest);
+/// A line a tile; nothing for a set that is one map.
+void print_tiles(const Manifest& manifest);
 /// Means over the texels of a level; "inside" is what lies within its texels.
 void print_levels(const Manifest& manifest);
 /// How well each color model fits, where color varies inside texels.

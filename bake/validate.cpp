@@ -177,7 +177,7 @@ void run(CLI::App& command, ValidateWords& words)
     if (!words.json.empty() && words.json != "-")
         expect_writable(words.json);
     const ThreadLimit limit(words.threads);
-    SetReader set(words.set.path);
+    SetReader set(words.set.path, words.set.tile);
     const Validation validation = validated(words, set);
     if (!words.report.empty())
         write_text(to_page(validation, words.plan, set.manifest()), words.report);

@@ -64,7 +64,7 @@ void color_by_slope(const MappedColor& mapped, Reconstruction reconstruction, Or
 Original read(Source& source, const BakeOptions& options, const BakeMonitor& monitor,
               const ColorMapInput* color_map)
 {
-    const Surface surface(source, options, monitor, color_map);
+    const Surface surface(source, options, monitor, survey(source, monitor), color_map);
     Original original;
     reference::Relief& relief = original.relief;
     relief.width = surface.width();

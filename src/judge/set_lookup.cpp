@@ -32,8 +32,8 @@ bool is_needed(Map map, ColorModel model, const SetColors& colors)
 
 } // namespace
 
-SetLookup::SetLookup(const std::filesystem::path& set, const TextureFilter& filter)
-    : reader_(set), textures_(reader_.folder(), reader_.manifest(), filter)
+SetLookup::SetLookup(const std::filesystem::path& set, const TextureFilter& filter, int tile)
+    : reader_(set, tile), textures_(reader_.folder(), reader_.manifest(), filter)
 {
     for (const TextureRecord& record : manifest().textures)
         if (is_needed(record.map, colors().best(), colors()))

@@ -12,9 +12,11 @@ namespace scree {
 /// visible color needs. Any number of threads may look up at once.
 class SetLookup {
 public:
-    /// set  its folder, or its manifest
+    /// set   its folder, or its manifest
+    /// tile  UDIM number of a tile; 0: the set is one map
     /// Throws Error as SetReader and TextureLookup do.
-    explicit SetLookup(const std::filesystem::path& set, const TextureFilter& filter = {});
+    explicit SetLookup(const std::filesystem::path& set, const TextureFilter& filter = {},
+                       int tile = 0);
 
     [[nodiscard]] const Manifest& manifest() const { return reader_.manifest(); }
     [[nodiscard]] const SetColors& colors() const { return reader_.colors(); }

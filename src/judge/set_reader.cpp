@@ -91,9 +91,9 @@ struct SetReader::Texture {
     }
 };
 
-SetReader::SetReader(const std::filesystem::path& set)
+SetReader::SetReader(const std::filesystem::path& set, int tile)
     : folder_(std::filesystem::is_directory(set) ? set : set.parent_path()),
-      manifest_(read_manifest(set))
+      manifest_(manifest_of_map(read_manifest(set), tile))
 {
     colors_.models = {ColorModel::mean};
     for (const TextureRecord& record : manifest_.textures) {

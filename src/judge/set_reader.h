@@ -13,9 +13,10 @@ namespace scree {
 /// The texels of a baked set, read as a renderer would.
 class SetReader {
 public:
-    /// set  its folder, or its manifest
+    /// set   its folder, or its manifest
+    /// tile  UDIM number of a tile; 0: the set is one map
     /// Throws Error when a texture that the manifest names is missing, damaged, or of another size.
-    explicit SetReader(const std::filesystem::path& set);
+    explicit SetReader(const std::filesystem::path& set, int tile = 0);
     ~SetReader();
     SetReader(SetReader&&) noexcept;
 

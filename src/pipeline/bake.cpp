@@ -7,11 +7,11 @@
 #include "math/error.h"
 #include "pipeline/color_table.h"
 #include "pipeline/describe.h"
-#include "pipeline/file_source.h"
 #include "pipeline/map_choice.h"
-#include "pipeline/mesh_source.h"
+#include "pipeline/map_inputs.h"
+#include "pipeline/map_passes.h"
+#include "pipeline/map_survey.h"
 #include "pipeline/model_choice.h"
-#include "pipeline/set_passes.h"
 #include "pipeline/spooled_heights.h"
 #include "pipeline/thread_limit.h"
 #include "pipeline/warnings.h"
@@ -99,24 +99,65 @@ void expect_output(const BakeOptions& options)
         throw Error("no output folder; give -o DIR");
 }
 
-/// mesh  the source, where it is one; else null
-Manifest bake_into(StagedFolder& folder, Source& source, const MeshSource* mesh,
-                   const BakeOptions& options, Manifest manifest, const BakeMonitor& monitor)
+/// The color map's table by slope, of the slopes that were found.
+ColorTable table_by_slope(const BakedMaps& maps, const BakeOptions& options,
+                          const Manifest& manifest)
 {
-    if (mesh != nullptr)
-        manifest.mesh = mesh->record();
-    std::optional<ColorMapInput> color_map;
-    if (!options.colormap_file.empty()) {
-        color_map = read_color_map_input(options);
-        manifest.inputs.push_back(color_map->record);
-        manifest.working_space = color_map->working_space;
-        for (const auto& note : color_map->notes)
-            manifest.warnings.push_back(note);
+    return color_table_by_slope(*maps.front()->surface->mapped,
+                                united_level(maps, manifest, LevelEnd::finest),
+                                options.map_tolerance);
+}
+
+std::optional<ColorMapInput> read_color_map(const BakeOptions& options, Manifest& manifest)
+{
+    if (options.colormap_file.empty())
+        return std::nullopt;
+    ColorMapInput color_map = read_color_map_input(options);
+    manifest.inputs.push_back(color_map.record);
+    manifest.working_space = color_map.working_space;
+    warn(manifest, color_map.notes);
+    return color_map;
+}
+
+/// Every texel of every map has data.
+bool are_complete(const BakedMaps& maps)
+{
+    return std::all_of(maps.begin(), maps.end(),
+                       [](const auto& map) { return map->surface->found.complete; });
+}
+
+void add_warnings(const BakedMaps& maps, const BakeOptions& options, Manifest& manifest)
+{
+    Rejects rejects;
+    for (const auto& map : maps) {
+        rejects += map->surface->found.rejects;
+        if (map->mesh() == nullptr)
+            continue;
+        const std::string where = map->number() == 0 ? "" : fmt::format("tile {}: ", map->number());
+        for (const std::string& warning : map->mesh()->warnings())
+            warn(manifest, {where + warning});
     }
-    const Surface surface(source, options, monitor, color_map ? &*color_map : nullptr);
-    describe(surface, manifest);
+    const LevelSummary coarsest = united_level(maps, manifest, LevelEnd::coarsest);
+    warn(manifest, rejects_warnings(rejects, options));
+    warn(manifest, scale_warnings(manifest, coarsest, options));
+    warn(manifest, color_map_warnings(manifest, coarsest));
+}
+
+Manifest bake_into(StagedFolder& folder, const BakedMaps& maps, const BakeOptions& options,
+                   Manifest manifest, const BakeMonitor& monitor)
+{
+    const std::optional<ColorMapInput> color_map = read_color_map(options, manifest);
+    const MapMonitors monitors(monitor, maps.size());
+    survey_maps(maps, options, monitors);
+    for (size_t i = 0; i < maps.size(); ++i)
+        maps[i]->surface =
+            std::make_unique<Surface>(maps[i]->source(), maps[i]->options(), monitors.of(i),
+                                      std::move(maps[i]->found), color_map ? &*color_map : nullptr);
+    const Surface& surface = *maps.front()->surface;
+    describe_mesh(maps, manifest);
+    describe(maps, manifest);
     SetPlan plan;
-    plan.maps = choose_maps(source, options, surface.has_color(), surface.found.complete);
+    plan.maps = choose_maps(surface.source, options, surface.has_color(), are_complete(maps));
     plan.tables = tables_of(plan.maps, options);
     manifest.textures = textures_for(plan.maps, plan.tables, options, manifest.name);
     const bool by_height = options.map_by == MapBy::height;
@@ -133,32 +174,22 @@ Manifest bake_into(StagedFolder& folder, Source& source, const MeshSource* mesh,
     if (heights != nullptr)
         fit_to(*heights, options, plan.tables);
     if (options.auto_maps || options.pixel_type == PixelTypeChoice::automatic || has_fit(plan.maps))
-        measure(surface, heights, plan, manifest);
+        measure_maps(maps, heights, plan, manifest);
     if (options.auto_maps)
         choose(options, plan, manifest);
     const VisibilityPlan& visibility = plan.tables.visibility;
     if (visibility.components() > 0)
         manifest.visibility = record_of(visibility);
-    manifest.levels = write_textures(surface, plan, heights, manifest, folder.path());
+    write_maps(maps, heights, plan, manifest, folder.path());
     if (plan.models)
         report_models(*plan.models, plan.maps, manifest.levels);
     if (has_table(manifest) && !by_height)
-        table =
-            color_table_by_slope(*surface.mapped, manifest.levels.front(), options.map_tolerance);
+        table = table_by_slope(maps, options, manifest);
     if (has_table(manifest))
         write_table(*table, manifest, folder.path());
 
-    if (mesh != nullptr) { // which knows now how far heights reach
-        manifest.mesh = mesh->record();
-        for (auto& warning : mesh->warnings())
-            manifest.warnings.push_back(std::move(warning));
-    }
-    for (auto& warning : rejects_warnings(surface.found.rejects, options))
-        manifest.warnings.push_back(std::move(warning));
-    for (auto& warning : scale_warnings(manifest, options))
-        manifest.warnings.push_back(std::move(warning));
-    for (auto& warning : color_map_warnings(manifest))
-        manifest.warnings.push_back(std::move(warning));
+    describe_mesh(maps, manifest); // which knows now how far heights reach
+    add_warnings(maps, options, manifest);
     write_manifest(manifest, folder.path());
     monitor.report("bake", 1);
     folder.publish();
@@ -174,7 +205,9 @@ Manifest bake(Source& source, const BakeOptions& options, Manifest manifest,
     expect_output(options);
     const ThreadLimit limit(options.threads);
     StagedFolder folder(options.output); // first, so that a bad -o fails before the work
-    return bake_into(folder, source, nullptr, options, std::move(manifest), monitor);
+    BakedMaps maps;
+    maps.push_back(std::make_unique<BakedMap>(source, options));
+    return bake_into(folder, maps, options, std::move(manifest), monitor);
 }
 
 Manifest bake(const BakeOptions& options, const BakeMonitor& monitor)
@@ -184,21 +217,17 @@ Manifest bake(const BakeOptions& options, const BakeMonitor& monitor)
         throw Error("no height map; give --height FILE (see scree bake --help)");
     expect_output(options);
     const ThreadLimit limit(options.threads);
-    FileSource source(options);
-    StagedFolder folder(options.output);
-    source.spool_in(folder.path());
+    std::optional<BakedMesh> mesh;
+    if (!options.mesh_file.empty())
+        mesh.emplace(options);
     Manifest manifest;
-    manifest.name = options.name.empty() ? options.height_file.stem().string() : options.name;
-    manifest.inputs = source.records();
-    manifest.working_space = source.working_space();
-    manifest.warnings = source.notes();
-    manifest.quantum = source.quantum();
-    manifest.integer_bits = source.integer_bits();
-    if (options.mesh_file.empty())
-        return bake_into(folder, source, nullptr, options, std::move(manifest), monitor);
-    MeshSource mesh(source, options, folder.path(), monitor);
-    manifest.inputs.push_back(mesh.input());
-    return bake_into(folder, mesh, &mesh, options, std::move(manifest), monitor);
+    BakedMaps maps = open_maps(options, mesh ? &*mesh : nullptr, manifest);
+    StagedFolder folder(options.output);
+    for (const auto& map : maps)
+        map->files()->spool_in(folder.path());
+    if (mesh)
+        lay_on(*mesh, maps, folder.path(), manifest, monitor);
+    return bake_into(folder, maps, options, std::move(manifest), monitor);
 }
 
 } // namespace scree

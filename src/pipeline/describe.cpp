@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "pipeline/color_table.h"
+#include "texset/udim.h"
 #include "version.h"
 
 namespace scree {
@@ -13,9 +15,7 @@ namespace {
 
 constexpr double kRadian = 0.017453292519943295769;
 
-} // namespace
-
-void describe(const Surface& surface, Manifest& manifest)
+void describe_surface(const Surface& surface, Manifest& manifest)
 {
     const BakeOptions& options = surface.options;
     const bool has_heights = surface.source.has_heights();
@@ -44,6 +44,66 @@ void describe(const Surface& surface, Manifest& manifest)
         manifest.color_map = color_map_record(*surface.mapped, options);
 }
 
+TileRecord tile_record(const BakedMap& map)
+{
+    TileRecord tile;
+    tile.number = map.number();
+    tile.width = map.surface->width();
+    tile.height = map.surface->height();
+    tile.texel_width = map.surface->texel[0];
+    tile.texel_height = map.surface->texel[1];
+    tile.no_data_texels = map.surface->found.no_data_texels;
+    return tile;
+}
+
+/// Adds what a tile has of a mesh to what the tiles before it have.
+void add(const MeshRecord& tile, int number, MeshRecord& whole)
+{
+    whole.covered += tile.covered;
+    whole.overlapped += tile.overlapped;
+    whole.mirrored += tile.mirrored;
+    whole.singular += tile.singular;
+    whole.area += tile.area;
+    whole.usual_displacement = std::max(whole.usual_displacement, tile.usual_displacement);
+    if (tile.largest_displacement <= whole.largest_displacement)
+        return;
+    whole.largest_displacement = tile.largest_displacement;
+    whole.displaced_most = tile.displaced_most;
+    whole.displaced_tile = number;
+}
+
+} // namespace
+
+void describe(const BakedMaps& maps, Manifest& manifest)
+{
+    const auto largest =
+        std::max_element(maps.begin(), maps.end(), [](const auto& a, const auto& b) {
+            return a->source().width() < b->source().width();
+        });
+    describe_surface(*(*largest)->surface, manifest);
+    if (maps.front()->number() == 0)
+        return;
+    manifest.no_data_texels = 0;
+    for (const auto& map : maps) {
+        manifest.tiles.push_back(tile_record(*map));
+        manifest.no_data_texels += manifest.tiles.back().no_data_texels;
+    }
+}
+
+void describe_mesh(const BakedMaps& maps, Manifest& manifest)
+{
+    if (maps.front()->mesh() == nullptr)
+        return;
+    MeshRecord whole = maps.front()->mesh()->mesh().record();
+    for (size_t i = 0; i < maps.size(); ++i) {
+        const MeshRecord record = maps[i]->mesh()->record();
+        add(record, maps[i]->number(), whole);
+        if (!manifest.tiles.empty())
+            manifest.tiles[i].mesh = record;
+    }
+    manifest.mesh = whole;
+}
+
 std::vector<std::string> channels_of(Map map, const TableSizes& tables)
 {
     const VisibilityPlan& visibility = tables.visibility;
@@ -64,7 +124,9 @@ std::vector<TextureRecord> textures_for(const std::vector<Map>& maps, const Tabl
         TextureRecord texture;
         texture.map = map;
         texture.channels = channels_of(map, tables);
-        texture.file = fmt::format("{}.{}.exr", name, map_info(map).name);
+        const bool of_tiles = is_tiled(options.height_file) && map != Map::map;
+        texture.file =
+            fmt::format("{}{}.{}.exr", name, of_tiles ? ".<UDIM>" : "", map_info(map).name);
         const bool half =
             options.pixel_type == PixelTypeChoice::half && map != Map::map && map != Map::exponent;
         texture.type = half ? PixelType::half : PixelType::float32;

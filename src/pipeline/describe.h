@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pipeline/baked_map.h"
 #include "pipeline/surface.h"
 #include "pipeline/texture_values.h"
 #include "texset/attributes.h"
@@ -8,7 +9,10 @@
 namespace scree {
 
 /// Writes into the manifest all that is known before the first texel is made.
-void describe(const Surface& surface, Manifest& manifest);
+void describe(const BakedMaps& maps, Manifest& manifest);
+
+/// Tells what the mesh was found to be: of the set, and of each of its tiles.
+void describe_mesh(const BakedMaps& maps, Manifest& manifest);
 
 /// Channels of a map's texture.
 std::vector<std::string> channels_of(Map map, const TableSizes& tables);

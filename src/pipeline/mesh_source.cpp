@@ -5,52 +5,37 @@
 #include <cmath>
 #include <limits>
 
-#include "math/error.h"
 #include "pipeline/survey.h"
-#include "surface/mesh_check.h"
-#include "surface/mesh_file.h"
-#include "surface/texel_metric.h"
-#include "texset/file_hash.h"
 
 namespace scree {
 
 namespace {
 
-std::vector<std::string> words_of(const MeshWarnings& found, const std::string& file)
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+/// Where a step of part of a texture unit from the middle of a texel leads to.
+void note(const TexelMetric& texel, const Vec3& step, MapEdge& edge, size_t index)
 {
-    std::vector<std::string> words;
-    const auto say = [&](int count, const char* what) {
-        if (count > 0)
-            words.push_back(fmt::format("{}: {} {}", file, count, what));
-    };
-    say(found.nonmanifold_edges, "edges of three faces or of faces turned against each other; the "
-                                 "surface is creased there");
-    say(found.degenerate_faces, "faces without area");
-    say(found.zero_area_uv_faces, "faces without area in the texture, which show nothing of it");
-    say(found.unused_vertices, "vertices of no face");
-    return words;
+    if (texel.face < 0)
+        return;
+    edge.place[index] = texel.position + step;
+    edge.reach[index] = step.length();
 }
 
 } // namespace
 
-MeshSource::MeshSource(Source& flat, const BakeOptions& options,
+MeshSource::MeshSource(Source& flat, const BakedMesh& mesh, const UdimTile& tile,
                        const std::filesystem::path& folder, const BakeMonitor& monitor)
-    : flat_(flat), file_(options.mesh_file), spool_(folder)
+    : flat_(flat), mesh_(mesh), tile_(tile), spool_(folder), record_(mesh.record())
 {
-    const MeshFile read = read_mesh(file_);
-    for (const std::string& tag : read.unknown_tags)
-        warnings_.push_back(
-            fmt::format("{}: tag '{}' is not known and was left out", file_.string(), tag));
-    const MeshWarnings odd = check_mesh(read.mesh);
-    for (auto& words : words_of(odd, file_.string()))
-        warnings_.push_back(std::move(words));
-    record_.faces = static_cast<int>(read.mesh.face_sizes.size());
-    surface_ = std::make_unique<LimitSurface>(read.mesh, options.subdivision);
-    metrics_ = std::make_unique<TexelMetrics>(*surface_);
+    for (const Side side : kSides) {
+        const int texels = side == kLeft || side == kRight ? height() : width();
+        edges_[side].place.assign(static_cast<size_t>(texels), Vec3(kNothing));
+        edges_[side].reach.assign(static_cast<size_t>(texels), 0);
+    }
     find_charts(monitor);
+    unit_area_ = largest_area_;
 }
-
-MeshSource::~MeshSource() = default;
 
 void MeshSource::find_charts(const BakeMonitor& monitor)
 {
@@ -58,7 +43,8 @@ void MeshSource::find_charts(const BakeMonitor& monitor)
     bool kept = true;
     for (int y = 0; y < height(); y += kStripRows) {
         const int count = std::min(kStripRows, height() - y);
-        find(y, count, texels_);
+        find(y, count);
+        note_edges(y, count);
         for (const Texel& texel : texels_) {
             largest_area_ = std::max(largest_area_, static_cast<double>(texel.area));
             sum += static_cast<double>(texel.area);
@@ -70,38 +56,50 @@ void MeshSource::find_charts(const BakeMonitor& monitor)
     spool_.finish();
     const double texels = static_cast<double>(width()) * static_cast<double>(height());
     record_.area = sum / texels;
-    if (!(largest_area_ > 0))
-        throw Error(fmt::format("{}: no texel of {}x{} lies in a UV chart; texture coordinates go "
-                                "from 0 to 1",
-                                file_.string(), width(), height()));
-    if (record_.overlapped > 0)
-        warnings_.push_back(fmt::format("{}: UV charts overlap in {} texels; the first face counts",
-                                        file_.string(), record_.overlapped));
-    if (record_.singular > 0)
-        warnings_.push_back(fmt::format("{}: {} texels lie where the surface has no tangents; they "
-                                        "are left out",
-                                        file_.string(), record_.singular));
 }
 
-void MeshSource::find(int first, int count, std::vector<Texel>& texels)
+void MeshSource::find(int first, int count)
 {
     const auto size = static_cast<size_t>(count) * static_cast<size_t>(width());
     found_.resize(size);
-    texels.assign(size, Texel());
-    const TexelCounts counts = metrics_->rows({width(), height()}, first, count, found_.data());
-    if (first == 0)
+    texels_.assign(size, Texel());
+    const TexelCounts counts =
+        mesh_.metrics().rows({width(), height(), tile_.u, tile_.v}, first, count, found_.data());
+    if (first == 0) {
         record_.covered = record_.overlapped = record_.mirrored = record_.singular = 0;
+        first_overlap_.reset();
+    }
     record_.covered += counts.covered;
     record_.overlapped += counts.overlapped;
     record_.mirrored += counts.mirrored;
     record_.singular += counts.singular;
+    if (!first_overlap_)
+        first_overlap_ = counts.first_overlap;
     for (size_t i = 0; i < size; ++i) {
         if (found_[i].face < 0)
             continue;
         const TextureJacobian j = texture_jacobian(found_[i].tangents);
-        texels[i] = {static_cast<float>(found_[i].area), static_cast<float>(1 / j.xs),
-                     static_cast<float>(-j.xt / (j.xs * j.yt)), static_cast<float>(1 / j.yt),
-                     found_[i].curvature};
+        texels_[i] = {static_cast<float>(found_[i].area), static_cast<float>(1 / j.xs),
+                      static_cast<float>(-j.xt / (j.xs * j.yt)), static_cast<float>(1 / j.yt),
+                      found_[i].curvature};
+    }
+}
+
+void MeshSource::note_edges(int first, int count)
+{
+    const double half_width = 0.5 / width(), half_height = 0.5 / height();
+    const auto columns = static_cast<size_t>(width());
+    for (int row = 0; row < count; ++row) {
+        const TexelMetric* line = &found_[static_cast<size_t>(row) * columns];
+        const auto y = static_cast<size_t>(first + row);
+        const TexelMetric& last = line[columns - 1];
+        note(line[0], line[0].tangents.by_s * -half_width, edges_[kLeft], y);
+        note(last, last.tangents.by_s * half_width, edges_[kRight], y);
+        const bool is_top = first + row == 0, is_bottom = first + row == height() - 1;
+        for (size_t x = 0; x < columns && is_top; ++x)
+            note(line[x], line[x].tangents.by_t * -half_height, edges_[kTop], x);
+        for (size_t x = 0; x < columns && is_bottom; ++x)
+            note(line[x], line[x].tangents.by_t * half_height, edges_[kBottom], x);
     }
 }
 
@@ -111,7 +109,7 @@ void MeshSource::rewind(bool last_time)
     if (spool_.whole())
         spool_.rewind(last_time);
     next_row_ = 0;
-    record_.largest_displacement = 0;
+    displacements_.clear();
 }
 
 void MeshSource::read(int count, SurfaceRows& rows)
@@ -123,7 +121,7 @@ void MeshSource::read(int count, SurfaceRows& rows)
         texels_.resize(size);
         spool_.read(&texels_.front().area, size * sizeof(Texel) / sizeof(float));
     } else {
-        find(next_row_, count, texels_);
+        find(next_row_, count);
     }
     if (rows.weight.empty())
         rows.weight.assign(size, 1.0F);
@@ -138,38 +136,48 @@ void MeshSource::apply(const Texel& texel, size_t index, int y, int x, SurfaceRo
 {
     auto& presence = has_heights() ? rows.height[index] : rows.slope_s[index];
     if (!(texel.area > 0)) {
-        presence = std::numeric_limits<double>::quiet_NaN();
+        presence = kNothing;
         return;
     }
-    rows.weight[index] *= static_cast<float>(static_cast<double>(texel.area) / largest_area_);
+    rows.weight[index] *= static_cast<float>(static_cast<double>(texel.area) / unit_area_);
     if (!has_heights())
         return;
     rows.slope_map[index] = {texel.a, texel.b, texel.c};
     const double displacement = displacement_error(presence, static_cast<double>(texel.curvature));
-    if (displacement > record_.largest_displacement) { // not where there is no data
-        record_.largest_displacement = displacement;
-        record_.displaced_most = {x, y};
-    }
+    displacements_.add(static_cast<float>(displacement), texel.area, x, y);
 }
 
-InputRecord MeshSource::input() const
+MeshRecord MeshSource::record() const
 {
-    InputRecord record;
-    record.role = "mesh";
-    record.file = file_.filename().string();
-    record.sha256 = sha256_of_file(file_);
+    constexpr double kUsual = 0.99;
+    MeshRecord record = record_;
+    record.largest_displacement = displacements_.largest();
+    record.displaced_most = displacements_.place_of_largest();
+    record.usual_displacement = displacements_.quantile(kUsual);
     return record;
 }
 
 std::vector<std::string> MeshSource::warnings() const
 {
     constexpr double kSmall = 0.1;
-    auto words = warnings_;
-    if (record_.largest_displacement > kSmall)
+    const MeshRecord found = record();
+    std::vector<std::string> words;
+    if (first_overlap_)
         words.push_back(fmt::format(
-            "height times curvature reaches {:.2g} (texel {}, {}): slopes there are off by about "
-            "as much, see docs/surfaces.md",
-            record_.largest_displacement, record_.displaced_most[0], record_.displaced_most[1]));
+            "{}: UV charts overlap in {} texels, first of faces {} and {} at texel {}, {}; the "
+            "lower face counts",
+            mesh_.name(), found.overlapped, first_overlap_->face + 1, first_overlap_->other + 1,
+            first_overlap_->x, first_overlap_->y));
+    if (found.singular > 0)
+        words.push_back(fmt::format("{}: {} texels lie where the surface has no tangents; they "
+                                    "are left out",
+                                    mesh_.name(), found.singular));
+    if (found.usual_displacement > kSmall || found.largest_displacement > 1)
+        words.push_back(fmt::format(
+            "height times curvature reaches {:.2g} (texel {}, {}), {:.2g} on all but 1 % of the "
+            "area: slopes there are off by about as much, see docs/surfaces.md",
+            found.largest_displacement, found.displaced_most[0], found.displaced_most[1],
+            found.usual_displacement));
     return words;
 }
 

@@ -1,20 +1,19 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "pipeline/options.h"
+#include "pipeline/baked_mesh.h"
+#include "pipeline/displacements.h"
+#include "pipeline/map_edges.h"
 #include "pipeline/source.h"
-#include "texset/manifest.h"
+#include "surface/texel_metric.h"
 #include "texset/spool.h"
+#include "texset/udim.h"
 
 namespace scree {
-
-class LimitSurface;
-class TexelMetrics;
-struct TexelMetric;
 
 /// A surface whose texture lies on a mesh: heights and colors of another source, with what the mesh
 /// says of every texel.
@@ -25,15 +24,13 @@ struct TexelMetric;
 /// dP/dt (surface/metric.h, docs/surfaces.md). Normals of a normal map are in that frame already.
 class MeshSource final : public Source {
 public:
-    /// Reads the mesh and finds its charts.
+    /// Finds the charts in one tile of the texture.
     ///
-    /// flat    must live longer
+    /// flat    must live longer, as the mesh
     /// folder  where what is found takes its room, 20 bytes a texel; without room there it is found
     ///         again for every pass
-    /// Throws Error as read_mesh() and LimitSurface do, and where no texel lies in a chart.
-    MeshSource(Source& flat, const BakeOptions& options, const std::filesystem::path& folder,
-               const BakeMonitor& monitor);
-    ~MeshSource() override;
+    MeshSource(Source& flat, const BakedMesh& mesh, const UdimTile& tile,
+               const std::filesystem::path& folder, const BakeMonitor& monitor);
 
     [[nodiscard]] std::string name() const override { return flat_.name(); }
     [[nodiscard]] int width() const override { return flat_.width(); }
@@ -44,10 +41,19 @@ public:
     void read(int count, SurfaceRows& rows) override;
     [[nodiscard]] const Rejects& rejects() const override { return flat_.rejects(); }
 
-    [[nodiscard]] InputRecord input() const;
+    [[nodiscard]] const BakedMesh& mesh() const { return mesh_; }
+
+    /// Largest world area of a texel, over that of the texture; 0: none lies in a chart.
+    [[nodiscard]] double largest_area() const { return largest_area_; }
+    /// The area whose texels weigh 1: that of the largest of all tiles.
+    void weigh_by(double area) { unit_area_ = area; }
+
+    /// Where the surface is along the sides of the map; without heights.
+    [[nodiscard]] const MapEdges& edges() const { return edges_; }
+
     /// Of the rows read since the last rewind.
-    [[nodiscard]] MeshRecord record() const { return record_; }
-    /// What is odd about the mesh, a sentence each.
+    [[nodiscard]] MeshRecord record() const;
+    /// What is odd about the charts, a sentence each.
     [[nodiscard]] std::vector<std::string> warnings() const;
 
 private:
@@ -59,19 +65,21 @@ private:
     };
 
     void find_charts(const BakeMonitor& monitor);
-    void find(int first, int count, std::vector<Texel>& texels);
+    void find(int first, int count);
+    void note_edges(int first, int count);
     void apply(const Texel& texel, size_t index, int y, int x, SurfaceRows& rows);
 
     Source& flat_;
-    std::filesystem::path file_;
-    std::unique_ptr<LimitSurface> surface_;
-    std::unique_ptr<TexelMetrics> metrics_;
+    const BakedMesh& mesh_;
+    UdimTile tile_;
     Spool spool_;
     std::vector<TexelMetric> found_;
     std::vector<Texel> texels_; ///< of the rows read
-    std::vector<std::string> warnings_;
     MeshRecord record_;
-    double largest_area_ = 0;
+    std::optional<UvOverlap> first_overlap_;
+    MapEdges edges_;
+    Displacements displacements_;
+    double largest_area_ = 0, unit_area_ = 0;
     int next_row_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include "math/error.h"
 #include "pipeline/named_choice.h"
 #include "stats/ranks.h"
+#include "texset/udim.h"
 
 namespace scree {
 
@@ -56,6 +57,16 @@ void expect_nodes(const std::vector<double>& angles_deg)
     }
 }
 
+/// Whether something is asked for that is measured on the heights.
+bool measures_views(const BakeOptions& options)
+{
+    const auto has = [&options](Map map) {
+        return std::find(options.maps.begin(), options.maps.end(), map) != options.maps.end();
+    };
+    return options.auto_maps || has(Map::visible) || has(Map::exponent) ||
+           options.visibility.value_or(Visibility::smith) != Visibility::smith;
+}
+
 /// What a mesh does without: whatever is measured on a plane.
 void expect_mesh(const BakeOptions& options)
 {
@@ -66,14 +77,29 @@ void expect_mesh(const BakeOptions& options)
                     "--world-size");
     if (options.layout == Layout::bumpslopes)
         throw Error("--mesh goes with --layout scree; bumpslopes holds slopes over the texture");
-    const bool measures =
-        options.auto_maps || options.visibility.value_or(Visibility::smith) != Visibility::smith;
-    const auto has = [&options](Map map) {
-        return std::find(options.maps.begin(), options.maps.end(), map) != options.maps.end();
-    };
-    if (measures || has(Map::visible) || has(Map::exponent))
+    if (measures_views(options))
         throw Error("--mesh: what views see is measured on planes only; name the --maps, without "
                     "auto, visible and exponent, and leave --visibility at smith");
+}
+
+/// What tiles do without, and what only they have.
+void expect_tiles(const BakeOptions& options)
+{
+    const bool tiled = is_tiled(options.height_file);
+    if (options.udim_wrap && !tiled)
+        throw Error("--udim-wrap speaks of tiles; give --height a name with <UDIM>");
+    if (options.udim_wrap && !options.mesh_file.empty())
+        throw Error("--udim-wrap and --mesh: the mesh knows which borders meet; leave out "
+                    "--udim-wrap");
+    if (options.udim_wrap && (options.wrap_s == Wrap::periodic || options.wrap_t == Wrap::periodic))
+        throw Error("--udim-wrap and --wrap periodic: a tile meets its neighbours or itself; give "
+                    "one of them");
+    if (!options.color_file.empty() && tiled != is_tiled(options.color_file))
+        throw Error(fmt::format("{} and {}: <UDIM> is in one of the names; name the tiles of both",
+                                options.height_file.string(), options.color_file.string()));
+    if (tiled && measures_views(options))
+        throw Error("<UDIM>: what views see is measured on single maps only; name the --maps, "
+                    "without auto, visible and exponent, and leave --visibility at smith");
 }
 
 void expect_range(double low, double high)
@@ -101,6 +127,7 @@ void expect_sensible(const BakeOptions& options)
                         fmt::format("{}: {} is no size; give world units above 0", option, side));
     };
     expect_mesh(options);
+    expect_tiles(options);
     expect_positive(options.texel_size, "--texel-size");
     expect_positive(options.world_size, "--world-size");
     if (!std::isfinite(options.height_scale) || !std::isfinite(options.height_offset))

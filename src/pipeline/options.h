@@ -37,10 +37,11 @@ enum class MapBy {
 
 /// Everything a bake depends on; equal options and inputs give equal bytes.
 struct BakeOptions {
-    std::filesystem::path height_file; ///< height map, or normal map with `normal_input`
-    std::filesystem::path color_file;  ///< empty: no color
-    std::filesystem::path output;      ///< folder of the set
-    std::string name;                  ///< of the set; empty: the height file's stem
+    /// Height map, or normal map with `normal_input`; "<UDIM>" in its name stands for tiles.
+    std::filesystem::path height_file;
+    std::filesystem::path color_file; ///< empty: no color
+    std::filesystem::path output;     ///< folder of the set
+    std::string name;                 ///< of the set; empty: the height file's stem
 
     std::string height_channel;           ///< name or index; empty: the only channel
     double height_scale = 1;              ///< world units a unit of the (normalised) file value
@@ -54,6 +55,7 @@ struct BakeOptions {
 
     std::filesystem::path mesh_file; ///< the texture lies on its limit surface; empty: on a plane
     SurfaceOptions subdivision;      ///< of the mesh
+    bool udim_wrap = false; ///< tiles on a plane: slopes at a border see the tile beyond it
 
     bool normal_input = false; ///< the height file holds tangent-space normals
     NormalRange normal_range = NormalRange::automatic;

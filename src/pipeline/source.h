@@ -25,10 +25,26 @@ struct Rejects {
     struct Count {
         long long texels = 0;
         std::string first; ///< file, channel and texel
+
+        Count& operator+=(const Count& other)
+        {
+            if (first.empty())
+                first = other.first;
+            texels += other.texels;
+            return *this;
+        }
     };
     Count not_finite;  ///< NaN or infinity
     Count turned_away; ///< normals with nz <= 0
     Count marked;      ///< equal to --no-data
+
+    Rejects& operator+=(const Rejects& other)
+    {
+        not_finite += other.not_finite;
+        turned_away += other.turned_away;
+        marked += other.marked;
+        return *this;
+    }
 };
 
 /// Where a bake gets its surface from: image files, or a field made on the fly.

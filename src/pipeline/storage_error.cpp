@@ -89,6 +89,9 @@ double StorageError::largest_error(int level, MomentRow row, int count) const
             note(std::abs(error - area_error * truth(layout_.color + c, i)) * per_seen);
         }
     };
+    auto note_weight = [&](double kept, double weight) {
+        note(weight > 0 ? std::abs(kept / weight - 1) : kept);
+    };
     for (int i = 0; i < count; ++i) {
         switch (map_) {
         case Map::slope:
@@ -133,7 +136,7 @@ double StorageError::largest_error(int level, MomentRow row, int count) const
             note(std::abs(value(0, i) - tail_of(layout_, row, i).tau));
             break;
         case Map::coverage:
-            note(std::abs(value(0, i) - truth(MomentLayout::weight, i)));
+            note_weight(value(0, i), truth(MomentLayout::weight, i));
             break;
         case Map::exponent: // float, always
         case Map::map:

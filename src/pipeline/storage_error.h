@@ -22,7 +22,8 @@ namespace scree {
 ///                      of its largest color where that is more
 ///   colorslope         covariance with the slope, over that times the deviation of the slope
 ///   rank               a coefficient, over the same as for colorheight
-///   tail, coverage     the number itself
+///   tail               the number itself
+///   coverage           the number, over itself: a weight that gets lost is data that gets lost
 /// Where a level's slope varies less than float resolves (1e-6 of its mean square) that is the
 /// yardstick. A number beyond the type's range counts as an error of kLost. The gutter is not
 /// looked at (pipeline/gutter.h): it has no truth, and means of stored numbers are in the type's

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "stats/merge.h"
 
@@ -24,22 +25,74 @@ Edge edge_of(Wrap wrap, Reconstruction reconstruction)
     return Edge::zero;
 }
 
+namespace {
+
+/// Where surroundings say what goes on beyond the edge, nothing else does.
+Edge edge_around(Wrap wrap, const BakeOptions& options, const Surroundings* around)
+{
+    if (around != nullptr && wrap == Wrap::periodic)
+        wrap = Wrap::clamp;
+    return edge_of(wrap, options.reconstruction);
+}
+
+/// Takes what is there of surroundings.
+void take(double around, double& height)
+{
+    if (!std::isnan(around))
+        height = around;
+}
+
+/// The same of a row above or below the map; its ends, where only they are not there, go on from
+/// what is.
+void take_row(const std::vector<double>& around, Edge edge, std::vector<double>& row)
+{
+    const size_t last = row.size() - 1;
+    for (size_t x = 1; x < last; ++x)
+        take(around[x], row[x]);
+    std::vector<double> padded = row;
+    pad_row(padded.data(), static_cast<int>(last) - 1, edge);
+    for (const auto& [end, beside] : {std::pair(size_t{0}, size_t{1}), std::pair(last, last - 1)}) {
+        if (!std::isnan(around[beside]))
+            row[end] = padded[end];
+        take(around[end], row[end]);
+    }
+}
+
+} // namespace
+
 StripReader::StripReader(Source& source, const Survey& survey, const BakeOptions& options,
                          VisibleBands* seen, bool last_time)
     : source_(source), survey_(survey), seen_(seen),
-      edge_s_(edge_of(options.wrap_s, options.reconstruction)),
-      edge_t_(edge_of(options.wrap_t, options.reconstruction))
+      around_(survey.around ? &*survey.around : nullptr),
+      edge_s_(edge_around(options.wrap_s, options, around_)),
+      edge_t_(edge_around(options.wrap_t, options, around_))
 {
     source_.rewind(last_time);
     read_ahead();
 }
 
-void StripReader::pad(const double* heights, std::vector<double>& row) const
+void StripReader::pad(const double* heights, int y, std::vector<double>& row) const
 {
     const int width = source_.width();
     row.resize(static_cast<size_t>(width) + 2);
     std::copy_n(heights, width, row.begin() + 1);
     pad_row(row.data(), width, edge_s_);
+    if (around_ == nullptr)
+        return;
+    take(around_->left[static_cast<size_t>(y)], row.front());
+    take(around_->right[static_cast<size_t>(y)], row.back());
+}
+
+std::vector<double> StripReader::beyond(Side side, const std::vector<double>& last,
+                                        const std::vector<double>& before_last) const
+{
+    const int other = side == kTop ? source_.height() - 1 : 0;
+    std::vector<double> far;
+    pad(survey_.edges[opposite(side)].height.data(), other, far);
+    std::vector<double> row = row_beyond(edge_t_, last, before_last, far);
+    if (around_ != nullptr)
+        take_row(side == kTop ? around_->above : around_->below, edge_s_, row);
+    return row;
 }
 
 void StripReader::read_ahead()
@@ -53,7 +106,7 @@ void StripReader::read_ahead()
     // Rows 1 to count; 0 and count + 1 are what lies above and below, which next() knows.
     ahead_padded_.resize(static_cast<size_t>(count) + 2);
     for (int row = 0; row < count; ++row)
-        pad(ahead_.height.data() + static_cast<ptrdiff_t>(row) * source_.width(),
+        pad(ahead_.height.data() + static_cast<ptrdiff_t>(row) * source_.width(), next_row_ + row,
             ahead_padded_[static_cast<size_t>(row) + 1]);
 }
 
@@ -74,24 +127,17 @@ bool StripReader::next(Strip& strip)
     if (!source_.has_heights())
         return true;
 
-    std::vector<double> opposite;
     const auto count = static_cast<size_t>(strip.count);
     const std::vector<double>& first = strip.padded[1];
     const std::vector<double>& last = strip.padded[count];
-    if (strip.first_row > 0) {
+    if (strip.first_row > 0)
         strip.padded[0] = above_;
-    } else {
-        pad(survey_.last_row.data(), opposite);
-        strip.padded[0] = row_beyond(edge_t_, first, strip.padded[height > 1 ? 2 : 1], opposite);
-    }
-    if (next_row_ < height) {
+    else
+        strip.padded[0] = beyond(kTop, first, strip.padded[height > 1 ? 2 : 1]);
+    if (next_row_ < height)
         strip.padded[count + 1] = ahead_padded_[1];
-    } else {
-        // The row before the last is the one above in a strip of one row.
-        pad(survey_.first_row.data(), opposite);
-        strip.padded[count + 1] =
-            row_beyond(edge_t_, last, strip.padded[height > 1 ? count - 1 : 1], opposite);
-    }
+    else // The row before the last is the one above in a strip of one row.
+        strip.padded[count + 1] = beyond(kBottom, last, strip.padded[height > 1 ? count - 1 : 1]);
     above_ = last;
     return true;
 }

@@ -21,7 +21,7 @@ struct Strip {
     int first_row = 0, count = 0;
     SurfaceRows rows; ///< heights excepted, which `padded` holds
     /// Rows first_row - 1 to first_row + count, each width + 2 heights in world units, the texels
-    /// beyond the map filled in by its wrap; empty for a normal map.
+    /// beyond the map filled in from its surroundings, or by its wrap; empty for a normal map.
     std::vector<std::vector<double>> padded;
     std::shared_ptr<const VisibleBand> seen; ///< band with these rows; null where none is asked for
 };
@@ -39,11 +39,16 @@ public:
 
 private:
     void read_ahead();
-    void pad(const double* heights, std::vector<double>& row) const;
+    /// y  the row that it is of
+    void pad(const double* heights, int y, std::vector<double>& row) const;
+    /// The row above the first, or below the last.
+    [[nodiscard]] std::vector<double> beyond(Side side, const std::vector<double>& last,
+                                             const std::vector<double>& before_last) const;
 
     Source& source_;
     const Survey& survey_;
     VisibleBands* seen_;
+    const Surroundings* around_;
     Edge edge_s_, edge_t_;
     int next_row_ = 0;
     SurfaceRows ahead_; ///< the strip at next_row_

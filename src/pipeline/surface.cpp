@@ -1,5 +1,7 @@
 #include "pipeline/surface.h"
 
+#include <utility>
+
 #include "math/error.h"
 
 namespace scree {
@@ -23,9 +25,9 @@ std::array<double, 2> texel_size(const Source& source, const BakeOptions& option
 
 } // namespace
 
-Surface::Surface(Source& from, const BakeOptions& given, const BakeMonitor& watch,
+Surface::Surface(Source& from, const BakeOptions& given, const BakeMonitor& watch, Survey survey,
                  const ColorMapInput* color_map)
-    : source(from), options(given), monitor(watch), found(survey(from, watch)),
+    : source(from), options(given), monitor(watch), found(std::move(survey)),
       texel(texel_size(from, given))
 {
     if (color_map == nullptr)

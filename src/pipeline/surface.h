@@ -13,8 +13,9 @@ namespace scree {
 
 /// What is baked, once it was looked over: the passes of a bake share it.
 struct Surface {
-    /// Surveys the source. color_map is null where the source has its own colors, or none.
-    Surface(Source& from, const BakeOptions& given, const BakeMonitor& watch,
+    /// All but the survey must live longer. color_map is null where the source has its own colors,
+    /// or none.
+    Surface(Source& from, const BakeOptions& given, const BakeMonitor& watch, Survey survey,
             const ColorMapInput* color_map);
 
     [[nodiscard]] int width() const { return source.width(); }

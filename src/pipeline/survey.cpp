@@ -120,6 +120,22 @@ struct SurveyStrip {
 
 using StripPtr = std::shared_ptr<SurveyStrip>;
 
+void note_edges(const SurveyStrip& strip, int width, int height, MapEdges& edges)
+{
+    const std::vector<double>& heights = strip.rows.height;
+    for (auto row = heights.begin(); row != heights.end(); row += width) {
+        edges[kLeft].height.push_back(row[0]);
+        edges[kRight].height.push_back(row[width - 1]);
+    }
+    if (strip.first_row == 0)
+        edges[kTop].height.assign(heights.begin(), heights.begin() + width);
+    if (strip.first_row + strip.count == height)
+        edges[kBottom].height.assign(heights.end() - width, heights.end());
+}
+
+/// 1 where all heights are the same: there is nothing to normalise.
+double scale_of(double variance) { return variance > 0 ? std::sqrt(variance) : 1; }
+
 } // namespace
 
 Survey survey(Source& source, const BakeMonitor& monitor)
@@ -151,11 +167,8 @@ Survey survey(Source& source, const BakeMonitor& monitor)
     };
     auto merge = [&](const StripPtr& strip) {
         all.merge(strip->sums);
-        const std::vector<double>& heights = strip->rows.height;
-        if (!heights.empty() && strip->first_row == 0)
-            result.first_row.assign(heights.begin(), heights.begin() + width);
-        if (!heights.empty() && strip->first_row + strip->count == height)
-            result.last_row.assign(heights.end() - width, heights.end());
+        if (source.has_heights())
+            note_edges(*strip, width, height, result.edges);
         used.give(strip);
     };
     source.rewind(false);
@@ -180,10 +193,37 @@ Survey survey(Source& source, const BakeMonitor& monitor)
         result.h0 = all.height.mean;
         result.height_min = all.min;
         result.height_max = all.max;
-        const double deviation = std::sqrt(all.height.squares / all.height.weight);
-        result.h1 = deviation > 0 ? deviation : 1;
+        result.variance = all.height.squares / all.height.weight;
+        result.h1 = scale_of(result.variance);
     }
+    result.weight = all.height.weight;
     return result;
+}
+
+void unite(const std::vector<Survey*>& surveys, const std::vector<double>& areas)
+{
+    if (surveys.size() < 2)
+        return;
+    Running heights;
+    Sums sums;
+    for (size_t i = 0; i < surveys.size(); ++i) {
+        const Survey& own = *surveys[i];
+        const double weight = own.weight * areas[i];
+        heights.merge({weight, own.h0, own.variance * weight});
+        sums.min = std::min(sums.min, own.height_min);
+        sums.max = std::max(sums.max, own.height_max);
+        for (size_t c = 0; c < 3; ++c)
+            sums.color[c] += weight * static_cast<double>(own.mean_color[c]);
+    }
+    for (Survey* own : surveys) {
+        own->h0 = heights.mean;
+        own->variance = heights.squares / heights.weight;
+        own->h1 = scale_of(own->variance);
+        own->height_min = sums.min;
+        own->height_max = sums.max;
+        for (size_t c = 0; c < 3; ++c)
+            own->mean_color[c] = static_cast<float>(sums.color[c] / heights.weight);
+    }
 }
 
 } // namespace scree

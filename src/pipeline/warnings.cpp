@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace scree {
 
@@ -29,6 +30,12 @@ void add(std::vector<std::string>& warnings, const Rejects::Count& count, const 
 
 } // namespace
 
+void warn(Manifest& manifest, std::vector<std::string> warnings)
+{
+    for (std::string& warning : warnings)
+        manifest.warnings.push_back(std::move(warning));
+}
+
 std::vector<std::string> rejects_warnings(const Rejects& rejects, const BakeOptions& options)
 {
     std::vector<std::string> warnings;
@@ -44,11 +51,11 @@ std::vector<std::string> rejects_warnings(const Rejects& rejects, const BakeOpti
     return warnings;
 }
 
-std::vector<std::string> scale_warnings(const Manifest& manifest, const BakeOptions& options)
+std::vector<std::string> scale_warnings(const Manifest& manifest, const LevelSummary& coarsest,
+                                        const BakeOptions& options)
 {
     std::vector<std::string> warnings;
-    const LevelSummary& top = manifest.levels.back();
-    if (!manifest.has_height || !top.rms_slope)
+    if (!manifest.has_height || !coarsest.rms_slope)
         return warnings;
     const bool is_plane = !manifest.mesh;
     const bool size_given = options.texel_size || options.world_size;
@@ -57,22 +64,23 @@ std::vector<std::string> scale_warnings(const Manifest& manifest, const BakeOpti
                              ? "check --height-scale and the size given"
                              : "the map was taken to be one unit wide: set --texel-size or "
                                "--world-size, and --height-scale";
-    if (*top.rms_slope > kSteepest)
+    if (*coarsest.rms_slope > kSteepest)
         warnings.push_back(fmt::format("rms slope {:.3g} is steeper than any material ({} at "
                                        "most); {}",
-                                       *top.rms_slope, kSteepest, remedy));
-    else if (*top.rms_slope < kFlattest)
+                                       *coarsest.rms_slope, kSteepest, remedy));
+    else if (*coarsest.rms_slope < kFlattest)
         warnings.push_back(fmt::format("rms slope {:.3g} is flatter than any material ({} at "
                                        "least); {}",
-                                       *top.rms_slope, kFlattest, remedy));
+                                       *coarsest.rms_slope, kFlattest, remedy));
 
     if (is_plane && manifest.integer_bits > 0 && manifest.integer_bits <= 8 &&
-        *top.slope_sigma > 0) {
+        *coarsest.slope_sigma > 0) {
         const double noise = manifest.quantum * manifest.quantum / 12;
         const double explained = slope_gain(manifest.reconstruction) * noise *
                                  (1 / (manifest.texel_width * manifest.texel_width) +
                                   1 / (manifest.texel_height * manifest.texel_height));
-        const double share = std::min(1.0, explained / (*top.slope_sigma * *top.slope_sigma));
+        const double share =
+            std::min(1.0, explained / (*coarsest.slope_sigma * *coarsest.slope_sigma));
         warnings.push_back(fmt::format("{}-bit heights: quantisation alone explains {:.3g} % of "
                                        "the slope variance; use 16 bits or float if it matters",
                                        manifest.integer_bits, 100 * share));
@@ -80,14 +88,14 @@ std::vector<std::string> scale_warnings(const Manifest& manifest, const BakeOpti
     return warnings;
 }
 
-std::vector<std::string> color_map_warnings(const Manifest& manifest)
+std::vector<std::string> color_map_warnings(const Manifest& manifest, const LevelSummary& coarsest)
 {
     if (!manifest.color_map)
         return {};
     const ColorMapRecord& map = *manifest.color_map;
     const double width = map.last - map.first;
     if (map.by != "height") {
-        const auto rms = manifest.levels.back().rms_slope;
+        const auto rms = coarsest.rms_slope;
         if (!rms || *rms <= 0 || width < kWideMap * *rms)
             return {};
         return {fmt::format("the color map goes from slope {:g} to {:g}, the rms slope is {:.3g}: "

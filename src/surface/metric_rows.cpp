@@ -30,6 +30,7 @@ bool has_area(const SurfacePoint& point)
 bool measure(const FaceSurface& surface, const UvHit& hit, TexelMetric& texel)
 {
     const SurfacePoint point = surface.at(hit.place);
+    texel.position = point.position;
     texel.tangents = tangents(point, hit.uv);
     texel.normal = unit_normal(point);
     texel.area = (texel.tangents.by_s % texel.tangents.by_t).length();
@@ -48,27 +49,26 @@ Vec2 beside(const UvHit& hit, double step)
     return hit.place + Vec2(hit.uv.by_q.y, -hit.uv.by_p.y) * (step / determinant);
 }
 
-/// Gives the texel to the face, unless it has one.
-void take(const ReadyFace& face, const UvHit& hit, float inside, TexelMetric& texel,
+/// Gives the texel to the face, unless it has one. Returns whether they overlap there.
+bool take(const ReadyFace& face, const UvHit& hit, float inside, TexelMetric& texel,
           TexelCounts& counts)
 {
     if (texel.face >= 0) {
-        if (is_overlap(inside, texel.inside)) {
-            texel.overlapped = true;
-            ++counts.overlapped;
-        }
-        return;
+        texel.overlapped = is_overlap(inside, texel.inside);
+        counts.overlapped += texel.overlapped ? 1 : 0;
+        return texel.overlapped;
     }
     TexelMetric found;
     found.face = face.index;
     found.inside = inside;
     if (!measure(face.surface, hit, found)) {
         ++counts.singular;
-        return;
+        return false;
     }
     texel = found;
     ++counts.covered;
     counts.mirrored += found.mirrored ? 1 : 0;
+    return false;
 }
 
 /// The first and last of the integers in [low, high] that lie in [0, count).
@@ -152,8 +152,11 @@ void TexelRows::draw_span(const ReadyFace& face, const UvCell& cell, int row,
             hit = find_uv(face.surface, piece, uv, beside(*hit, step));
         if (!hit)
             hit = find_uv(face.surface, piece, uv, cell.middle);
-        if (hit)
-            take(face, *hit, static_cast<float>(piece.border_distance(hit->place)), texel, counts);
+        if (!hit)
+            continue;
+        const auto inside = static_cast<float>(piece.border_distance(hit->place));
+        if (take(face, *hit, inside, texel, counts))
+            counts.note_overlap({x, first_ + row, texel.face, face.index});
     }
 }
 

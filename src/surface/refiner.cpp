@@ -52,23 +52,15 @@ Rules::FVarLinearInterpolation of(UvRule rule)
     return Rules::FVAR_LINEAR_ALL;
 }
 
-/// The option's rule, else the file's, else the default.
-template <class Rule>
-Rule chosen(const std::optional<Rule>& asked, const std::optional<Rule>& stated, Rule otherwise)
-{
-    return asked ? *asked : stated.value_or(otherwise);
-}
-
-Rules rules_of(const SubdivisionRules& file, const SubdivisionRules& asked)
+/// None of the rules is empty.
+Rules of(const SubdivisionRules& given)
 {
     Rules rules;
-    rules.SetVtxBoundaryInterpolation(
-        of(chosen(asked.boundary, file.boundary, BoundaryRule::edge_and_corner)));
-    rules.SetFVarLinearInterpolation(of(chosen(asked.uv, file.uv, UvRule::all)));
-    const TriangleRule triangles =
-        chosen(asked.triangles, file.triangles, TriangleRule::catmull_clark);
-    rules.SetTriangleSubdivision(triangles == TriangleRule::catmull_clark ? Rules::TRI_SUB_CATMARK
-                                                                          : Rules::TRI_SUB_SMOOTH);
+    rules.SetVtxBoundaryInterpolation(of(*given.boundary));
+    rules.SetFVarLinearInterpolation(of(*given.uv));
+    rules.SetTriangleSubdivision(*given.triangles == TriangleRule::catmull_clark
+                                     ? Rules::TRI_SUB_CATMARK
+                                     : Rules::TRI_SUB_SMOOTH);
     return rules;
 }
 
@@ -84,9 +76,8 @@ void expect_triangles(const Mesh& mesh)
 
 /// Bfr (3.5, 3.6) leaves gaps of some thousandths of a face between faces where creases of
 /// different sharpness meet under Chaikin's rule; without sharpness that falls the rules agree.
-void expect_uniform_creases(const Mesh& mesh, const SurfaceOptions& options)
+void expect_uniform_creases(const Mesh& mesh, CreaseRule rule)
 {
-    const CreaseRule rule = chosen(options.rules.creases, mesh.rules.creases, CreaseRule::uniform);
     const auto falls = [](const Crease& crease) {
         return crease.sharpness > 0 &&
                crease.sharpness < static_cast<double>(Sdc::Crease::SHARPNESS_INFINITE);
@@ -205,7 +196,8 @@ std::unique_ptr<Far::TopologyRefiner> make_refiner(const Mesh& mesh, const Surfa
 {
     if (options.scheme == Scheme::loop)
         expect_triangles(mesh);
-    expect_uniform_creases(mesh, options);
+    const SubdivisionRules rules = rules_in_effect(options.rules, mesh.rules);
+    expect_uniform_creases(mesh, *rules.creases);
     expect_few_faces_at_vertices(mesh);
     const Sharpness sharp(mesh);
     Far::TopologyDescriptor::FVarChannel channel;
@@ -229,9 +221,8 @@ std::unique_ptr<Far::TopologyRefiner> make_refiner(const Mesh& mesh, const Surfa
 
     using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
     const ErrorCapture capture;
-    const Factory::Options kept(options.scheme == Scheme::loop ? Sdc::SCHEME_LOOP
-                                                               : Sdc::SCHEME_CATMARK,
-                                rules_of(mesh.rules, options.rules));
+    const Factory::Options kept(
+        options.scheme == Scheme::loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK, of(rules));
     std::unique_ptr<Far::TopologyRefiner> refiner(Factory::Create(cage, kept));
     if (!refiner)
         throw Error(fmt::format("{}: OpenSubdiv cannot make a surface of this mesh: {}; repair its "

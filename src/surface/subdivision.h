@@ -41,4 +41,17 @@ struct SubdivisionRules {
     std::optional<TriangleRule> triangles;
 };
 
+/// The rules that hold: those asked for, else those of the file, else the defaults
+/// (SurfaceOptions). None is empty.
+inline SubdivisionRules rules_in_effect(const SubdivisionRules& asked, const SubdivisionRules& file)
+{
+    const auto chosen = [](auto first, auto second, auto otherwise) {
+        return first ? *first : second.value_or(otherwise);
+    };
+    return {chosen(asked.boundary, file.boundary, BoundaryRule::edge_and_corner),
+            chosen(asked.uv, file.uv, UvRule::all),
+            chosen(asked.creases, file.creases, CreaseRule::uniform),
+            chosen(asked.triangles, file.triangles, TriangleRule::catmull_clark)};
+}
+
 } // namespace scree

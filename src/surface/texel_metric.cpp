@@ -27,7 +27,16 @@ TexelCounts& TexelCounts::operator+=(const TexelCounts& other)
     overlapped += other.overlapped;
     mirrored += other.mirrored;
     singular += other.singular;
+    if (other.first_overlap)
+        note_overlap(*other.first_overlap);
     return *this;
+}
+
+void TexelCounts::note_overlap(const UvOverlap& overlap)
+{
+    if (!first_overlap ||
+        std::pair(overlap.y, overlap.x) < std::pair(first_overlap->y, first_overlap->x))
+        first_overlap = overlap;
 }
 
 TexelMetrics::TexelMetrics(const LimitSurface& surface)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,10 +23,17 @@ struct TexelMetric {
     bool mirrored = false;   ///< the texture is seen from its back: clockwise UVs
     bool overlapped = false; ///< other faces lie here too; the first one counts
     float inside = 0; ///< distance to the border, in parts of the face (or of its corner's share)
-    float curvature = 0;  ///< largest absolute normal curvature, 1 / world unit
+    float curvature = 0; ///< largest absolute normal curvature, 1 / world unit
+    Vec3 position{0, 0, 0};
     Tangents tangents;    ///< world units per texture unit
     Vec3 normal{0, 0, 1}; ///< unit, outside
     double area = 0;      ///< world area per texture area: the texel's weight
+};
+
+/// A texel where two faces lie, of all of those the two lowest.
+struct UvOverlap {
+    int x = 0, y = 0;
+    int face = 0, other = 0; ///< of the cage
 };
 
 /// Texels of some rows.
@@ -34,7 +42,10 @@ struct TexelCounts {
     int64_t overlapped = 0, mirrored = 0; ///< of those
     int64_t singular =
         0; ///< left out: in a chart, but the surface or its texture has no area there
+    std::optional<UvOverlap> first_overlap; ///< from the top, then from the left
 
+    /// Keeps the earlier of two.
+    void note_overlap(const UvOverlap& overlap);
     TexelCounts& operator+=(const TexelCounts& other);
 };
 

@@ -33,10 +33,10 @@ void expect_level(const std::filesystem::path& set, const Manifest& manifest, in
 }
 
 EffectiveBrdf::EffectiveBrdf(const std::filesystem::path& set, int level,
-                             const EffectiveBrdfOptions& options)
+                             const EffectiveBrdfOptions& options, int tile)
     : options_(options)
 {
-    SetReader reader(set);
+    SetReader reader(set, tile);
     expect_level(set, reader.manifest(), level);
     colors_ = reader.colors();
     const int height = reader.manifest().levels[static_cast<size_t>(level)].height;

@@ -27,8 +27,10 @@ void expect_level(const std::filesystem::path& set, const Manifest& manifest, in
 /// light, which makes it reciprocal: LEADR's projected areas and the diffuse closed form are not.
 class EffectiveBrdf {
 public:
-    /// set  folder or manifest. Throws Error when it cannot be read or has no such level.
-    EffectiveBrdf(const std::filesystem::path& set, int level, const EffectiveBrdfOptions& options);
+    /// set   folder or manifest. Throws Error when it cannot be read or has no such level.
+    /// tile  UDIM number of a tile; 0: the set is one map
+    EffectiveBrdf(const std::filesystem::path& set, int level, const EffectiveBrdfOptions& options,
+                  int tile = 0);
 
     /// R, G, B in 1 / sr. Below a cosine of 0.02 the cosine that a radiance is divided by counts as
     /// that: a tilted texel is lit with the light at the horizon, so that its BRDF has no bound.

@@ -22,12 +22,13 @@ struct InputRecord {
     std::string channels; ///< the ones used, comma separated
     std::string type;     ///< pixel type in the file, as OpenImageIO names it
     std::string color_space;
+    int tile = 0; ///< UDIM number of what it belongs to; 0: to all
 };
 
 /// One texture of a set.
 struct TextureRecord {
     Map map = Map::slope;
-    std::string file;
+    std::string file;                  ///< of tiles with <UDIM> for their number
     std::vector<std::string> channels; ///< as MapInfo has them; of a rank table as many as it has
     PixelType type = PixelType::float32;
     /// Largest error that storing as half or float causes in what a reader recovers, over all
@@ -127,20 +128,38 @@ struct VisibilityRecord {
     std::optional<double> axis_deg;      ///< along axes instead: the first, from +s towards +t
 };
 
-/// The mesh that a set was baked for (docs/surfaces.md).
+/// The mesh that a set, or one of its tiles, was baked for (docs/surfaces.md).
 struct MeshRecord {
-    int faces = 0;                           ///< of the cage
-    long long covered = 0;                   ///< texels of level 0 in its charts
-    long long overlapped = 0, mirrored = 0;  ///< of those
-    long long singular = 0;                  ///< in charts, but left out: no tangents
-    double area = 0;                         ///< of its texels, world units^2
-    double largest_displacement = 0;         ///< largest |height x curvature| of a texel
-    std::array<int, 2> displaced_most{0, 0}; ///< where: column, row
+    std::string scheme, boundary, uv_interpolation; ///< that took effect, as options are named
+    int faces = 0;                                  ///< of the cage
+    int charts = 0, mirrored_charts = 0;            ///< of the cage
+    long long covered = 0;                          ///< texels of level 0 in its charts
+    long long overlapped = 0, mirrored = 0;         ///< of those
+    long long singular = 0;                         ///< in charts, but left out: no tangents
+    double area = 0;                                ///< of its texels, world units^2
+    double largest_displacement = 0;                ///< largest |height x curvature| of a texel
+    std::array<int, 2> displaced_most{0, 0};        ///< where: column, row
+    int displaced_tile = 0;                         ///< and in which tile; 0: there are none
+    /// |height x curvature| that 99 % of the area stay below; of tiles the largest of theirs.
+    double usual_displacement = 0;
+};
+
+/// One tile of a set of tiles.
+struct TileRecord {
+    int number = 1001; ///< UDIM
+    int width = 0, height = 0;
+    double texel_width = 1, texel_height = 1; ///< as Manifest has them
+    long long no_data_texels = 0;
+    std::optional<MeshRecord> mesh;
+    std::vector<LevelSummary> levels;
 };
 
 /// What was baked, from what, with which options: NAME.scree.json.
+///
+/// Of a set of tiles width, height and size of texels are those of the largest, sums over all are
+/// at the top, and levels are told tile by tile.
 struct Manifest {
-    static constexpr int kFormatVersion = 2;
+    static constexpr int kFormatVersion = 3;
 
     std::string name;
     std::string program_version;
@@ -165,7 +184,8 @@ struct Manifest {
     std::optional<ModelChoice> model_choice; ///< of --maps auto
     std::optional<VisibilityRecord> visibility;
     std::vector<TextureRecord> textures;
-    std::vector<LevelSummary> levels;
+    std::vector<LevelSummary> levels;           ///< empty for tiles
+    std::vector<TileRecord> tiles;              ///< empty: the set is one map
     std::map<std::string, std::string> options; ///< as given, by long name
     std::vector<std::string> warnings;
 };
@@ -176,6 +196,13 @@ void write_manifest(const Manifest& manifest, const std::filesystem::path& folde
 /// Reads the manifest of a set: its folder, or the .scree.json file itself.
 /// Throws Error when there is none or several, or it is damaged or of a later format.
 Manifest read_manifest(const std::filesystem::path& set);
+
+/// What the manifest of a set says of one of its tiles, as if that were a set of its own, or of a
+/// set that is one map.
+///
+/// tile  its number; 0: none is meant
+/// Throws Error for a tile that is not there, and where the set has tiles and none is meant.
+Manifest manifest_of_map(const Manifest& set, int tile);
 
 /// The manifest as JSON text.
 std::string to_json(const Manifest& manifest);

@@ -6,6 +6,7 @@
 
 #include "math/error.h"
 #include "texset/json_object.h"
+#include "texset/level_json.h"
 
 namespace scree {
 
@@ -23,6 +24,7 @@ InputRecord input_from_json(const JsonObject& json)
     json.get("height", input.height);
     json.get("channels", input.channels);
     json.get("pixel_type", input.type);
+    json.get_if_there("tile", input.tile);
     json.get_if_there("color_space", input.color_space);
     return input;
 }
@@ -107,6 +109,12 @@ MeshRecord mesh_from_json(const JsonObject& json)
 {
     MeshRecord mesh;
     json.get("faces", mesh.faces);
+    // Not there before format 3:
+    json.get_if_there("scheme", mesh.scheme);
+    json.get_if_there("boundary", mesh.boundary);
+    json.get_if_there("uv_interpolation", mesh.uv_interpolation);
+    json.get_if_there("charts", mesh.charts);
+    json.get_if_there("mirrored_charts", mesh.mirrored_charts);
     json.get("covered_texels", mesh.covered);
     json.get("overlapped_texels", mesh.overlapped);
     json.get("mirrored_texels", mesh.mirrored);
@@ -114,6 +122,8 @@ MeshRecord mesh_from_json(const JsonObject& json)
     json.get("area", mesh.area);
     json.get("largest_height_times_curvature", mesh.largest_displacement);
     json.get("at_texel", mesh.displaced_most);
+    json.get_if_there("in_tile", mesh.displaced_tile);
+    json.get_if_there("usual_height_times_curvature", mesh.usual_displacement);
     return mesh;
 }
 
@@ -126,62 +136,6 @@ VisibilityRecord visibility_from_json(const JsonObject& json)
     if (!visibility.axis_deg)
         json.get("harmonics", visibility.harmonics);
     return visibility;
-}
-
-ExponentFit exponent_from_json(const JsonObject& json)
-{
-    ExponentFit fit;
-    json.get("gain", fit.gain);
-    json.get("power", fit.power);
-    json.get("threshold", fit.threshold);
-    return fit;
-}
-
-LevelError level_error_from_json(const JsonObject& json)
-{
-    LevelError error;
-    json.get("model", error.model);
-    json.get("error", error.error);
-    return error;
-}
-
-ColorFit fit_from_json(const JsonObject& json)
-{
-    ColorFit fit;
-    json.get("sigma", fit.sigma);
-    json.get_if_there("height_correlation", fit.height_correlation);
-    json.get_if_there("slope_correlation", fit.slope_correlation);
-    json.get_if_there("r2_height", fit.height);
-    json.get_if_there("r2_slope", fit.slope);
-    json.get_if_there("r2_rank1", fit.rank1);
-    json.get_if_there("r2_rank2", fit.rank2);
-    json.get_if_there("r2_rank4", fit.rank4);
-    json.get("residual", fit.residual);
-    return fit;
-}
-
-LevelSummary level_from_json(const JsonObject& json)
-{
-    LevelSummary level;
-    json.get("width", level.width);
-    json.get("height", level.height);
-    json.get("coverage", level.coverage);
-    json.get_if_there("mean_slope", level.mean_slope);
-    json.get_if_there("steepest", level.steepest);
-    json.get_if_there("rms_slope", level.rms_slope);
-    json.get_if_there("slope_sigma", level.slope_sigma);
-    json.get_if_there("kurtosis", level.kurtosis);
-    json.get_if_there("tau", level.tau);
-    json.get_if_there("height_sigma", level.height_sigma);
-    json.get_if_there("mean_color", level.mean_color);
-    if (json.has("color_fit"))
-        level.color_fit = fit_from_json(json.object("color_fit"));
-    if (json.has("exponent"))
-        level.exponent = exponent_from_json(json.object("exponent"));
-    if (json.has("model_errors"))
-        for (const JsonObject& error : json.objects("model_errors"))
-            level.model_errors.push_back(level_error_from_json(error));
-    return level;
 }
 
 void read_heights(const JsonObject& json, Manifest& m)
@@ -216,6 +170,24 @@ void read_surface(const JsonObject& json, Manifest& m)
         read_heights(json, m);
 }
 
+TileRecord tile_from_json(const JsonObject& json)
+{
+    TileRecord tile;
+    std::array<double, 2> texel_size{};
+    json.get("tile", tile.number);
+    json.get("width", tile.width);
+    json.get("height", tile.height);
+    json.get("texel_size", texel_size);
+    tile.texel_width = texel_size[0];
+    tile.texel_height = texel_size[1];
+    json.get("no_data_texels", tile.no_data_texels);
+    if (json.has("mesh"))
+        tile.mesh = mesh_from_json(json.object("mesh"));
+    for (const JsonObject& level : json.objects("levels"))
+        tile.levels.push_back(level_from_json(level));
+    return tile;
+}
+
 Manifest manifest_from_json(const JsonObject& json)
 {
     const std::string before_version = kManifestProgram;
@@ -244,6 +216,9 @@ Manifest manifest_from_json(const JsonObject& json)
         m.textures.push_back(texture_from_json(texture));
     for (const JsonObject& level : json.objects("levels"))
         m.levels.push_back(level_from_json(level));
+    if (json.has("tiles"))
+        for (const JsonObject& tile : json.objects("tiles"))
+            m.tiles.push_back(tile_from_json(tile));
     json.get("options", m.options);
     json.get("warnings", m.warnings);
     return m;

@@ -25,6 +25,8 @@ Json input_to_json(const InputRecord& input)
     Json json = {{"role", input.role},      {"file", input.file},     {"sha256", input.sha256},
                  {"width", input.width},    {"height", input.height}, {"channels", input.channels},
                  {"pixel_type", input.type}};
+    if (input.tile != 0)
+        json["tile"] = input.tile;
     if (!input.color_space.empty())
         json["color_space"] = input.color_space;
     return json;
@@ -37,8 +39,9 @@ Json texture_to_json(const TextureRecord& texture, const Manifest& manifest)
                  {"file", texture.file},
                  {"channels", texture.channels},
                  {"meaning", info.meaning},
-                 {"pixel_type", pixel_type_name(texture.type)},
-                 {"levels", texture.map == Map::map ? 1 : manifest.levels.size()}};
+                 {"pixel_type", pixel_type_name(texture.type)}};
+    if (manifest.tiles.empty() || texture.map == Map::map)
+        json["levels"] = texture.map == Map::map ? 1 : manifest.levels.size();
     put(json, "half_error", texture.half_error);
     put(json, "float_error", texture.float_error);
     return json;
@@ -85,14 +88,23 @@ Json choice_to_json(const ModelChoice& choice)
 
 Json mesh_to_json(const MeshRecord& mesh)
 {
-    return {{"faces", mesh.faces},
-            {"covered_texels", mesh.covered},
-            {"overlapped_texels", mesh.overlapped},
-            {"mirrored_texels", mesh.mirrored},
-            {"singular_texels", mesh.singular},
-            {"area", mesh.area},
-            {"largest_height_times_curvature", mesh.largest_displacement},
-            {"at_texel", mesh.displaced_most}};
+    Json json = {{"scheme", mesh.scheme},
+                 {"boundary", mesh.boundary},
+                 {"uv_interpolation", mesh.uv_interpolation},
+                 {"faces", mesh.faces},
+                 {"charts", mesh.charts},
+                 {"mirrored_charts", mesh.mirrored_charts},
+                 {"covered_texels", mesh.covered},
+                 {"overlapped_texels", mesh.overlapped},
+                 {"mirrored_texels", mesh.mirrored},
+                 {"singular_texels", mesh.singular},
+                 {"area", mesh.area},
+                 {"largest_height_times_curvature", mesh.largest_displacement},
+                 {"at_texel", mesh.displaced_most},
+                 {"usual_height_times_curvature", mesh.usual_displacement}};
+    if (mesh.displaced_tile != 0)
+        json["in_tile"] = mesh.displaced_tile;
+    return json;
 }
 
 Json visibility_to_json(const VisibilityRecord& visibility)
@@ -142,6 +154,27 @@ Json level_to_json(const LevelSummary& level)
     return json;
 }
 
+Json levels_to_json(const std::vector<LevelSummary>& levels)
+{
+    Json json = Json::array();
+    for (const LevelSummary& level : levels)
+        json.push_back(level_to_json(level));
+    return json;
+}
+
+Json tile_to_json(const TileRecord& tile)
+{
+    Json json = {{"tile", tile.number},
+                 {"width", tile.width},
+                 {"height", tile.height},
+                 {"texel_size", {tile.texel_width, tile.texel_height}},
+                 {"no_data_texels", tile.no_data_texels}};
+    if (tile.mesh)
+        json["mesh"] = mesh_to_json(*tile.mesh);
+    json["levels"] = levels_to_json(tile.levels);
+    return json;
+}
+
 Json manifest_to_json(const Manifest& m)
 {
     Json json;
@@ -184,9 +217,9 @@ Json manifest_to_json(const Manifest& m)
     json["textures"] = Json::array();
     for (const auto& texture : m.textures)
         json["textures"].push_back(texture_to_json(texture, m));
-    json["levels"] = Json::array();
-    for (const auto& level : m.levels)
-        json["levels"].push_back(level_to_json(level));
+    json["levels"] = levels_to_json(m.levels);
+    for (const auto& tile : m.tiles)
+        json["tiles"].push_back(tile_to_json(tile));
     json["options"] = m.options;
     json["warnings"] = m.warnings;
     return json;

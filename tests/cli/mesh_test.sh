@@ -17,9 +17,11 @@ bake=("$scree" bake --height pair/fractal.height.exr --height-scale 0.001 --mesh
 
 expect_success 'a mesh' -- "${bake[@]}" quad.obj -o set
 expect_success 'info' -- "$scree" info set
-grep -q 'mesh     quad.obj (1 faces)' stdout || fail "no mesh: $(cat stdout)"
-grep -q 'charts cover 4096 texels, 2.82843 square world units; 0 overlap, 0 mirrored' stdout ||
+grep -q 'mesh     quad.obj (faces: 1)' stdout || fail "no mesh: $(cat stdout)"
+grep -q 'charts: 1, mirrored: 0; 4096 texels in them, 2.82843 square world units; overlapped 0' stdout ||
     fail "no charts: $(cat stdout)"
+grep -q 'catmull-clark subdivision, boundary edge-and-corner, UVs linear: all' stdout ||
+    fail "no rules: $(cat stdout)"
 grep -q 'texture units' stdout || fail 'the texel has no size in the world'
 expect_success 'a preview of the set' -- "$scree" preview set --parts plain,set -o p.png --size 64 48
 for command in "validate set --inputs pair" "preview set --inputs pair -o p.png" \
@@ -31,6 +33,8 @@ done
 
 expect_usage_error 'two sizes' 'mesh.*--texel-size' -- "${bake[@]}" quad.obj --texel-size 1 -o out
 expect_usage_error 'views' 'planes only' -- "${bake[@]}" quad.obj --maps auto -o out
+expect_usage_error 'a rule without a mesh' 'give --mesh' -- \
+    "$scree" bake --height pair/fractal.height.exr --boundary none -o out
 expect_usage_error 'no such scheme' 'butterfly.*catmull-clark' -- \
     "${bake[@]}" quad.obj --scheme butterfly -o out
 expect_usage_error 'no such rule' 'smooth.*edge-only' -- "${bake[@]}" quad.obj --boundary smooth -o out
@@ -57,6 +61,28 @@ expect_equal 'missing' "$status" 1
 said | grep -q 'missing.obj' || fail "missing said: $(said)"
 run "${bake[@]}" quad.obj --scheme loop -o out
 expect_equal 'loop of quadrilaterals' "$status" 1
+
+# warned NAME WORDS TEXT...: a mesh of that text is baked, with a warning.
+warned()
+{
+    printf '%b' "$3" > odd.obj
+    run "${bake[@]}" odd.obj -o odd
+    expect_equal "$1" "$status" 0
+    grep -q "warning: odd.obj: $2" stderr || fail "$1 said: $(cat stderr)"
+}
+square='v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n'
+warned 'a pentagon' '1 face of more than four corners' \
+    "${square}v 0.5 2 0\nvt 0.5 1\nf 1/1 2/2 3/3 5/5 4/4\n"
+warned 'three faces at an edge' '1 edge of three or more faces' \
+    "${square}v 0 0 1\nf 1/1 2/2 3/3\nf 1/1 2/2 4/4\nf 1/1 2/2 5/4\n"
+warned 'two on one place' 'UV charts overlap in 4096 texels, first of faces 1 and 2 at texel 0, 0' \
+    "${square}v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1/1 2/2 3/3 4/4\nf 5/1 6/2 7/3 8/4\n"
+warned 'a face without area in the texture' '1 face without area in the texture' \
+    "${square}v 2 0 0\nf 1/1 2/2 3/3 4/4\nf 2/1 5/1 3/1\n"
+warned 'no rule at the border' '1 face without a surface' "${square}v 9 9 9\nt interpolateboundary 1/0/0 1\n\
+f 1/1 2/2 3/3 4/4\nt hole 1/0/0 1\nf 2/1 3/2 5/3\n"
+warned 'faces in another tile' 'faces reach into tiles 1001, 1002' \
+    "${square}vt 2 0\nvt 2 1\nv 2 0 0\nv 2 1 0\nf 1/1 2/2 3/3 4/4\nf 2/2 5/5 6/6 3/3\n"
 
 cat > recipe.toml << 'END'
 height = "pair/fractal.height.exr"

@@ -82,6 +82,7 @@ TEST_F(MeshBake, SlopesOfAffineTexturesGoThroughTheLaw)
 {
     BakeOptions flat = options("flat");
     flat.texel_size = {{1.0 / kSize, 1.0 / kSize}};
+    flat.wrap_s = flat.wrap_t = Wrap::clamp; // a parallelogram does not meet itself
     bake(flat, {});
     const auto before = levels("flat", "slope");
     int number = 0;

@@ -318,10 +318,10 @@ TEST(ManifestFile, ALaterFormatVersionIsRefusedAndTellsWhatToDo)
     TempFolder temp;
     const auto path = temp / "a.scree.json";
     write_text(
-        path, replaced(to_json(full_manifest()), "\"format_version\": 2", "\"format_version\": 3"));
+        path, replaced(to_json(full_manifest()), "\"format_version\": 3", "\"format_version\": 4"));
     const std::string message = message_of_reading(temp.path());
     EXPECT_NE(message.find(path.string()), std::string::npos) << message;
-    EXPECT_NE(message.find("format version 3"), std::string::npos) << message;
+    EXPECT_NE(message.find("format version 4"), std::string::npos) << message;
     EXPECT_NE(message.find("newer scree"), std::string::npos) << message;
 }
 
