@@ -89,13 +89,13 @@ void MeshSource::note_edges(int first, int count)
 {
     const double half_width = 0.5 / width(), half_height = 0.5 / height();
     const auto columns = static_cast<size_t>(width());
-    for (int row = 0; row < count; ++row) {
-        const TexelMetric* line = &found_[static_cast<size_t>(row) * columns];
-        const auto y = static_cast<size_t>(first + row);
+    for (int y = first; y < first + count; ++y) {
+        const TexelMetric* line = &found_[static_cast<size_t>(y - first) * columns];
+        const auto row = static_cast<size_t>(y);
         const TexelMetric& last = line[columns - 1];
-        note(line[0], line[0].tangents.by_s * -half_width, edges_[kLeft], y);
-        note(last, last.tangents.by_s * half_width, edges_[kRight], y);
-        const bool is_top = first + row == 0, is_bottom = first + row == height() - 1;
+        note(line[0], line[0].tangents.by_s * -half_width, edges_[kLeft], row);
+        note(last, last.tangents.by_s * half_width, edges_[kRight], row);
+        const bool is_top = y == 0, is_bottom = y == height() - 1;
         for (size_t x = 0; x < columns && is_top; ++x)
             note(line[x], line[x].tangents.by_t * -half_height, edges_[kTop], x);
         for (size_t x = 0; x < columns && is_bottom; ++x)

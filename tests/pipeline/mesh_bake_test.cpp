@@ -9,6 +9,7 @@
 #include "pipeline/bake.h"
 #include "support/random_image.h"
 #include "surface/metric.h"
+#include "texset/texture_lookup.h"
 
 namespace scree::test {
 namespace {
@@ -214,6 +215,80 @@ TEST_F(MeshBake, ReportsHowSmallDisplacementIs)
     ASSERT_FALSE(large.warnings.empty());
     EXPECT_NE(large.warnings[0].find("height times curvature reaches 0.5"), std::string::npos)
         << large.warnings[0];
+}
+
+// A disc in the middle of the texture, around which heights and colors are wild: what a renderer
+// looks up inside, at every level and between levels, is of the disc alone.
+TEST_F(MeshBake, LookupsNearTheBorderOfAChartReadNothingFromOutside)
+{
+    constexpr int kCorners = 12;
+    std::string disc;
+    for (int i = 0; i < kCorners; ++i) {
+        const double angle = 2 * std::acos(-1.0) * i / kCorners;
+        disc += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) +
+                " 0\nvt " + std::to_string(0.5 + 0.37 * std::cos(angle)) + " " +
+                std::to_string(0.5 + 0.37 * std::sin(angle)) + "\n";
+    }
+    disc += "v 0 0 0\nvt 0.5 0.5\n";
+    for (int i = 0; i < kCorners; ++i)
+        disc += "f 13/13 " + std::to_string(i + 1) + "/" + std::to_string(i + 1) + " " +
+                std::to_string((i + 1) % kCorners + 1) + "/" +
+                std::to_string((i + 1) % kCorners + 1) + "\n";
+    Image heights = random_image(kSize, kSize, {"Y"}, 3, -1000, 1000);
+    Image colors = random_image(kSize, kSize, {"R", "G", "B"}, 4, 100, 1000);
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) {
+            const size_t texel = static_cast<size_t>(y * kSize + x);
+            if (std::hypot(x + 0.5 - kSize / 2.0, y + 0.5 - kSize / 2.0) > 0.37 * kSize)
+                continue;
+            heights.pixels[texel] = static_cast<float>(3 * x - 2 * y) / kSize;
+            for (size_t c = 0; c < 3; ++c)
+                colors.pixels[3 * texel + c] = 0.5F;
+        }
+    write_image(temp_ / "h.exr", heights);
+    write_image(temp_ / "c.exr", colors);
+    // As smooth as the positions, texture coordinates are a scale of them everywhere.
+    bake_on(disc, "disc", [](BakeOptions& o) { o.subdivision.rules.uv = UvRule::none; });
+    const auto coverage = levels("disc", "coverage");
+    const TextureLookup lookup(temp_ / "disc", read_manifest(temp_ / "disc"));
+    // By the disc's own scale: a texture unit is 1 / 0.37 long.
+    const float slope_s = 0.03F * 0.37F, slope_t = -0.02F * 0.37F;
+    int looked = 0;
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) {
+            if (!(coverage[0].at(x, y, 0) > 0))
+                continue;
+            for (size_t l = 0; l < coverage.size(); ++l)
+                for (const float size : {1.0F, 1.5F}) {
+                    TexturePlace place;
+                    place.s = (static_cast<float>(x) + 0.5F) / kSize;
+                    place.t = (static_cast<float>(y) + 0.5F) / kSize;
+                    place.ds_dx = size / static_cast<float>(coverage[l].width);
+                    place.dt_dy = size / static_cast<float>(coverage[l].height);
+                    float rgb[3], slope[5];
+                    lookup.read(Map::color, place, 0, 3, rgb);
+                    lookup.read(Map::slope, place, 0, 5, slope);
+                    ASSERT_NEAR(rgb[1], 0.5F, 1e-5F) << x << ' ' << y << ' ' << l;
+                    ASSERT_NEAR(slope[0], slope_s, 1e-5F) << x << ' ' << y << ' ' << l;
+                    ASSERT_NEAR(slope[3], slope_t, 1e-5F) << x << ' ' << y << ' ' << l;
+                    ++looked;
+                }
+        }
+    ASSERT_GT(looked, 10'000);
+}
+
+// Between the longest and the shortest side of texels lie 1e4, between their areas 1e8.
+TEST_F(MeshBake, HalvesLoseNoWeight)
+{
+    const Manifest manifest = bake_on(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 20000 0 0\nv 20000 10000 0\nv 10000 10000 0\n"
+        "v 10000 0 0\nvt 0 0\nvt 0.5 0\nvt 0.5 1\nvt 0 1\nvt 1 0\nvt 1 1\n"
+        "f 1/1 2/2 3/3 4/4\nf 8/2 5/5 6/6 7/3\n",
+        "wide", [](BakeOptions& o) { o.pixel_type = PixelTypeChoice::automatic; });
+    EXPECT_EQ(manifest.no_data_texels, 0);
+    const Image coverage = levels("wide", "coverage")[0];
+    EXPECT_NEAR(coverage.at(3, 3, 0), 1e-8F, 1e-14F);
+    EXPECT_EQ(coverage.at(kSize - 3, 3, 0), 1);
 }
 
 TEST_F(MeshBake, SameBytesWithAnyNumberOfThreads)
