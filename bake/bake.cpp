@@ -10,10 +10,10 @@
 #include "bake/bake_words.h"
 #include "bake/commands.h"
 #include "bake/given_options.h"
+#include "bake/open_files.h"
 #include "bake/set_tables.h"
 #include "bake/supervisor.h"
 #include "bake/terminal.h"
-#include "texset/udim.h"
 
 namespace scree::tool {
 
@@ -27,12 +27,9 @@ std::uintmax_t bytes_of(const TextureRecord& texture, const Manifest& manifest,
                         const std::filesystem::path& folder)
 {
     std::error_code ignored;
-    if (!is_tiled(texture.file))
-        return std::filesystem::file_size(folder / texture.file, ignored);
     std::uintmax_t bytes = 0;
-    for (const TileRecord& tile : manifest.tiles)
-        bytes +=
-            std::filesystem::file_size(folder / file_of_tile(texture.file, tile.number), ignored);
+    for (const std::string& file : files_of(texture, manifest))
+        bytes += std::filesystem::file_size(folder / file, ignored);
     return bytes;
 }
 
@@ -67,6 +64,7 @@ void run(CLI::App& command, BakeWords& words)
                          words.options.colormap_file.string(), words.options.mesh_file.string()},
                         words.options.output);
 
+    allow_many_open_files();
     Manifest manifest;
     {
         Progress progress(words.quiet);

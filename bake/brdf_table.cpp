@@ -121,6 +121,7 @@ void add_brdf_table(CLI::App& table)
     auto words = std::make_shared<BrdfWords>();
     auto* command =
         table.add_subcommand("brdf", "the BRDF of a level of a texture set, isotropic: R, G, B");
+    add_tile_option(*command, words->set.tile);
     command->add_option("--set", words->set.path, "folder or manifest of a texture set")
         ->required();
     command->add_option("--level", words->level, "level whose texels are averaged")

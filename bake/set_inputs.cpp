@@ -55,7 +55,10 @@ SetInputs read_set_inputs(const Manifest& manifest, const SetWords& words,
     BakeOptions options = options_of_manifest(manifest, files);
     options.ocio_config = words.ocio_config;
     note_for_supervisor({files.height.string(), files.color.string(), files.colormap.string()}, "");
-    Original original = read_original(options, monitor);
+    std::optional<HeightScale> scale;
+    if (words.tile != 0)
+        scale = {manifest.h0, manifest.h1, manifest.height_min, manifest.height_max};
+    Original original = read_original(options, monitor, scale);
     return {std::move(options), std::move(original)};
 }
 

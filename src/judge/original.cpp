@@ -62,10 +62,18 @@ void color_by_slope(const MappedColor& mapped, Reconstruction reconstruction, Or
 }
 
 Original read(Source& source, const BakeOptions& options, const BakeMonitor& monitor,
-              const ColorMapInput* color_map)
+              const ColorMapInput* color_map, const std::optional<HeightScale>& scale)
 {
-    const Surface surface(source, options, monitor, survey(source, monitor), color_map);
+    Survey found = survey(source, monitor);
+    if (scale) {
+        found.h0 = scale->h0;
+        found.h1 = scale->h1;
+        found.height_min = scale->lowest;
+        found.height_max = scale->highest;
+    }
+    const Surface surface(source, options, monitor, std::move(found), color_map);
     Original original;
+    original.scale = scale;
     reference::Relief& relief = original.relief;
     relief.width = surface.width();
     relief.height = surface.height();
@@ -97,24 +105,27 @@ Original read(Source& source, const BakeOptions& options, const BakeMonitor& mon
 
 } // namespace
 
-Original read_original(const BakeOptions& options, const BakeMonitor& monitor)
+Original read_original(const BakeOptions& options, const BakeMonitor& monitor,
+                       const std::optional<HeightScale>& scale)
 {
     FileSource source(options);
     if (options.colormap_file.empty())
-        return read(source, options, monitor, nullptr);
+        return read(source, options, monitor, nullptr, scale);
     const ColorMapInput color_map = read_color_map_input(options);
-    return read(source, options, monitor, &color_map);
+    return read(source, options, monitor, &color_map, scale);
 }
 
 Original read_original(Source& source, const BakeOptions& options, const BakeMonitor& monitor)
 {
-    return read(source, options, monitor, nullptr);
+    return read(source, options, monitor, nullptr, {});
 }
 
 reference::StatisticsInput statistics_input(const Original& original, Reconstruction reconstruction)
 {
-    reference::StatisticsInput input{original.relief, original.slopes,
-                                     reference::Reconstruction::bilinear};
+    reference::StatisticsInput input{
+        original.relief, original.slopes, reference::Reconstruction::bilinear, {}};
+    if (original.scale)
+        input.h0_h1 = {original.scale->h0, original.scale->h1};
     if (reconstruction == Reconstruction::central)
         input.reconstruction = reference::Reconstruction::central;
     else if (reconstruction == Reconstruction::sobel)

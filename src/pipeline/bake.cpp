@@ -87,10 +87,11 @@ bool has_table(const Manifest& manifest)
 void write_table(const ColorTable& table, Manifest& manifest, const std::filesystem::path& folder)
 {
     manifest.color_map->table = table.record;
+    const Attributes attributes = attributes_of(Map::map, manifest);
     for (const TextureRecord& texture : manifest.textures)
         if (texture.map == Map::map)
-            write_color_table(table.table, folder / texture.file,
-                              attributes_of(Map::map, manifest));
+            for (const std::string& file : files_of(texture, manifest))
+                write_color_table(table.table, folder / file, attributes);
 }
 
 void expect_output(const BakeOptions& options)
@@ -143,12 +144,12 @@ void add_warnings(const BakedMaps& maps, const BakeOptions& options, Manifest& m
     warn(manifest, color_map_warnings(manifest, coarsest));
 }
 
-Manifest bake_into(StagedFolder& folder, const BakedMaps& maps, const BakeOptions& options,
+Manifest bake_into(StagedFolder& folder, BakedMaps& maps, const BakeOptions& options,
                    Manifest manifest, const BakeMonitor& monitor)
 {
     const std::optional<ColorMapInput> color_map = read_color_map(options, manifest);
+    survey_maps(maps, options, monitor, manifest.warnings);
     const MapMonitors monitors(monitor, maps.size());
-    survey_maps(maps, options, monitors);
     for (size_t i = 0; i < maps.size(); ++i)
         maps[i]->surface =
             std::make_unique<Surface>(maps[i]->source(), maps[i]->options(), monitors.of(i),
@@ -221,13 +222,15 @@ Manifest bake(const BakeOptions& options, const BakeMonitor& monitor)
     if (!options.mesh_file.empty())
         mesh.emplace(options);
     Manifest manifest;
+    std::optional<StagedFolder>
+        folder; // outlives the maps: to go, it may need a file they hold open
     BakedMaps maps = open_maps(options, mesh ? &*mesh : nullptr, manifest);
-    StagedFolder folder(options.output);
+    folder.emplace(options.output);
     for (const auto& map : maps)
-        map->files()->spool_in(folder.path());
+        map->files()->spool_in(folder->path());
     if (mesh)
-        lay_on(*mesh, maps, folder.path(), manifest, monitor);
-    return bake_into(folder, maps, options, std::move(manifest), monitor);
+        lay_on(*mesh, maps, folder->path(), manifest, monitor);
+    return bake_into(*folder, maps, options, std::move(manifest), monitor);
 }
 
 } // namespace scree

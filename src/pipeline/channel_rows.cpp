@@ -35,6 +35,12 @@ void ChannelRows::rewind(bool last_time)
         spool_->clear();
 }
 
+void ChannelRows::rest()
+{
+    image_.release();
+    pixels_ = {};
+}
+
 std::string ChannelRows::name(int place) const
 {
     return info().channels[static_cast<size_t>(channels_[static_cast<size_t>(place)])];

@@ -41,6 +41,8 @@ public:
     void spool_in(const std::filesystem::path& folder);
 
     void rewind(bool last_time);
+    /// Until then nothing is read: closes the file.
+    void rest();
 
     /// The next rows, valid until the next call.
     const float* next(int count);

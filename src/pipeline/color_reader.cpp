@@ -25,6 +25,14 @@ void ColorReader::rewind(bool last_time)
     resampler_.rewind();
 }
 
+void ColorReader::rest()
+{
+    rows.rest();
+    linear_ = {};
+    interleaved_ = {};
+    alpha = {};
+}
+
 void ColorReader::read(int y, int count, std::vector<float>& color, Rejects& rejects)
 {
     const auto texels = static_cast<size_t>(count) * static_cast<size_t>(width_);

@@ -17,6 +17,7 @@ public:
     ColorReader(const BakeOptions& options, int width, int height);
 
     void rewind(bool last_time);
+    void rest();
 
     /// The next rows, linear, with alpha divided out of them where the file has it multiplied in;
     /// where it is 0 the color is as the file has it. Texels that are not finite are counted.

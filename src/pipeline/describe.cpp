@@ -44,6 +44,11 @@ void describe_surface(const Surface& surface, Manifest& manifest)
         manifest.color_map = color_map_record(*surface.mapped, options);
 }
 
+long long texels_of(const Source& source)
+{
+    return static_cast<long long>(source.width()) * source.height();
+}
+
 TileRecord tile_record(const BakedMap& map)
 {
     TileRecord tile;
@@ -78,7 +83,7 @@ void describe(const BakedMaps& maps, Manifest& manifest)
 {
     const auto largest =
         std::max_element(maps.begin(), maps.end(), [](const auto& a, const auto& b) {
-            return a->source().width() < b->source().width();
+            return texels_of(a->source()) < texels_of(b->source());
         });
     describe_surface(*(*largest)->surface, manifest);
     if (maps.front()->number() == 0)
@@ -124,9 +129,8 @@ std::vector<TextureRecord> textures_for(const std::vector<Map>& maps, const Tabl
         TextureRecord texture;
         texture.map = map;
         texture.channels = channels_of(map, tables);
-        const bool of_tiles = is_tiled(options.height_file) && map != Map::map;
-        texture.file =
-            fmt::format("{}{}.{}.exr", name, of_tiles ? ".<UDIM>" : "", map_info(map).name);
+        const bool tiled = is_tiled(options.height_file);
+        texture.file = fmt::format("{}{}.{}.exr", name, tiled ? ".<UDIM>" : "", map_info(map).name);
         const bool half =
             options.pixel_type == PixelTypeChoice::half && map != Map::map && map != Map::exponent;
         texture.type = half ? PixelType::half : PixelType::float32;

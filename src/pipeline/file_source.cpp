@@ -104,6 +104,16 @@ void FileSource::read(int count, SurfaceRows& rows)
     }
 }
 
+void FileSource::rest()
+{
+    if (height_)
+        height_->rows.rest();
+    if (normal_)
+        normal_->rows.rest();
+    if (color_)
+        color_->rest();
+}
+
 const Rejects& FileSource::rejects() const { return rejects_; }
 
 double FileSource::quantum() const { return height_ ? height_->quantum() : 0; }

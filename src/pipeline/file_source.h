@@ -40,6 +40,7 @@ public:
     [[nodiscard]] bool has_color() const override;
     void rewind(bool last_time) override;
     void read(int count, SurfaceRows& rows) override;
+    void rest() override;
     [[nodiscard]] const Rejects& rejects() const override;
 
     /// Heights in the file that differ by one unit in the last place differ by this, world units;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "math/vec.h"
@@ -27,8 +28,11 @@ struct MapEdge {
 };
 using MapEdges = std::array<MapEdge, 4>; ///< by Side
 
-/// Heights beyond a map's sides, world units, of which slopes at its border are made; NaN: nothing
-/// goes on there.
+/// Stands for a height where nothing goes on beyond a map's side, and its wrap says what is there.
+constexpr double kNothingBeyond = std::numeric_limits<double>::infinity();
+
+/// Heights beyond a map's sides, world units, of which slopes at its border are made; NaN: no data,
+/// as inside of the map.
 struct Surroundings {
     std::vector<double> left, right;  ///< of every row
     std::vector<double> above, below; ///< of every column, the corners before and behind them

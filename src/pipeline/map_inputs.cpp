@@ -28,6 +28,14 @@ void describe_files(const BakedMap& map, Manifest& manifest)
     }
 }
 
+std::unique_ptr<BakedMap> open_map(const BakeOptions& options, int tile, Manifest& manifest)
+{
+    auto map = std::make_unique<BakedMap>(options, tile);
+    describe_files(*map, manifest);
+    map->source().rest(); // there may be hundreds
+    return map;
+}
+
 std::string size_of(const BakedMap& map)
 {
     return fmt::format("{} is {}x{}", map.name(), map.source().width(), map.source().height());
@@ -80,12 +88,10 @@ BakedMaps open_maps(const BakeOptions& options, const BakedMesh* mesh, Manifest&
         TileFiles tiles = find_tiles(options, mesh);
         warn(manifest, std::move(tiles.warnings));
         for (const int number : tiles.numbers)
-            maps.push_back(std::make_unique<BakedMap>(options, number));
+            maps.push_back(open_map(options, number, manifest));
     } else {
-        maps.push_back(std::make_unique<BakedMap>(options, 0));
+        maps.push_back(open_map(options, 0, manifest));
     }
-    for (const auto& map : maps)
-        describe_files(*map, manifest);
     expect_one_size(maps, options);
     return maps;
 }

@@ -1,8 +1,11 @@
 #include "pipeline/map_passes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "math/error.h"
 #include "pipeline/map_lanes.h"
 #include "pipeline/map_survey.h"
 
@@ -45,6 +48,7 @@ void measure_maps(const BakedMaps& maps, const HeightGrid* heights, SetPlan& pla
     for_each_map(widths_of(maps), [&](size_t map) {
         SetPlan own = plan;
         measure(*maps[map]->surface, nullptr, own, measured[map]);
+        maps[map]->source().rest();
     });
     for (const Manifest& own : measured)
         unite_types(own.textures, manifest.textures);
@@ -59,9 +63,14 @@ void write_maps(const BakedMaps& maps, const HeightGrid* heights, SetPlan& plan,
     }
     const std::vector<Manifest> headers = manifests_of(maps, manifest);
     for_each_map(widths_of(maps), [&](size_t map) {
-        SetPlan own = plan;
-        manifest.tiles[map].levels =
-            write_textures(*maps[map]->surface, own, nullptr, headers[map], folder);
+        try {
+            SetPlan own = plan;
+            manifest.tiles[map].levels =
+                write_textures(*maps[map]->surface, own, nullptr, headers[map], folder);
+        } catch (const Error& e) {
+            throw Error(fmt::format("tile {}: {}", maps[map]->number(), e.what()));
+        }
+        maps[map]->source().rest();
     });
 }
 

@@ -35,6 +35,7 @@ MeshSource::MeshSource(Source& flat, const BakedMesh& mesh, const UdimTile& tile
     }
     find_charts(monitor);
     unit_area_ = largest_area_;
+    rest();
 }
 
 void MeshSource::find_charts(const BakeMonitor& monitor)
@@ -130,6 +131,13 @@ void MeshSource::read(int count, SurfaceRows& rows)
         apply(texels_[i], i, next_row_ + static_cast<int>(i / columns),
               static_cast<int>(i % columns), rows);
     next_row_ += count;
+}
+
+void MeshSource::rest()
+{
+    flat_.rest();
+    found_ = {};
+    texels_ = {};
 }
 
 void MeshSource::apply(const Texel& texel, size_t index, int y, int x, SurfaceRows& rows)

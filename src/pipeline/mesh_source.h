@@ -39,6 +39,7 @@ public:
     [[nodiscard]] bool has_color() const override { return flat_.has_color(); }
     void rewind(bool last_time) override;
     void read(int count, SurfaceRows& rows) override;
+    void rest() override;
     [[nodiscard]] const Rejects& rejects() const override { return flat_.rejects(); }
 
     [[nodiscard]] const BakedMesh& mesh() const { return mesh_; }

@@ -86,6 +86,12 @@ void expect_mesh(const BakeOptions& options)
 void expect_tiles(const BakeOptions& options)
 {
     const bool tiled = is_tiled(options.height_file);
+    if (is_tiled(options.name))
+        throw Error(fmt::format("--name {}: numbers of tiles go into the names of textures by "
+                                "themselves; leave out <UDIM>",
+                                options.name));
+    if (options.udim_wrap && options.normal_input)
+        throw Error("--udim-wrap: a normal map has its slopes; leave it out");
     if (options.udim_wrap && !tiled)
         throw Error("--udim-wrap speaks of tiles; give --height a name with <UDIM>");
     if (options.udim_wrap && !options.mesh_file.empty())

@@ -67,6 +67,9 @@ public:
     /// The next `count` rows; `rows` may hold others, whose memory is used again.
     virtual void read(int count, SurfaceRows& rows) = 0;
 
+    /// Nothing is read before the next rewind: lets go of memory and files that can be had again.
+    virtual void rest() {}
+
     /// Texels rejected since the last rewind.
     [[nodiscard]] virtual const Rejects& rejects() const = 0;
 };

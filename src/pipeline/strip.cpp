@@ -38,7 +38,7 @@ Edge edge_around(Wrap wrap, const BakeOptions& options, const Surroundings* arou
 /// Takes what is there of surroundings.
 void take(double around, double& height)
 {
-    if (!std::isnan(around))
+    if (around != kNothingBeyond)
         height = around;
 }
 
@@ -52,7 +52,7 @@ void take_row(const std::vector<double>& around, Edge edge, std::vector<double>&
     std::vector<double> padded = row;
     pad_row(padded.data(), static_cast<int>(last) - 1, edge);
     for (const auto& [end, beside] : {std::pair(size_t{0}, size_t{1}), std::pair(last, last - 1)}) {
-        if (!std::isnan(around[beside]))
+        if (around[beside] != kNothingBeyond)
             row[end] = padded[end];
         take(around[end], row[end]);
     }
@@ -196,7 +196,7 @@ void TexelMoments::fill(const Strip& strip, int y, int x0, int count, MomentRow 
     if (slopes_follow) {
         const HeightRows heights{strip.padded[row].data() + x0, strip.padded[row + 1].data() + x0,
                                  strip.padded[row + 2].data() + x0};
-        const auto moments = survey_.no_data_texels > 0 ? slope_moments_with_holes : slope_moments;
+        const auto moments = survey_.has_holes ? slope_moments_with_holes : slope_moments;
         for (int done = 0; done < count; done += kMergeRun)
             moments(layout_, reconstruction_, heights.from(done), std::min(kMergeRun, count - done),
                     texel_width_, texel_height_, out.from(done));

@@ -138,7 +138,7 @@ double scale_of(double variance) { return variance > 0 ? std::sqrt(variance) : 1
 
 } // namespace
 
-Survey survey(Source& source, const BakeMonitor& monitor)
+Survey survey_if_any(Source& source, const BakeMonitor& monitor)
 {
     const int width = source.width(), height = source.height();
     Survey result;
@@ -178,13 +178,12 @@ Survey survey(Source& source, const BakeMonitor& monitor)
             tbb::make_filter<StripPtr, StripPtr>(tbb::filter_mode::parallel, sum) &
             tbb::make_filter<StripPtr, void>(tbb::filter_mode::serial_in_order, merge));
 
-    if (!(all.height.weight > 0))
-        throw Error(
-            fmt::format("{}: no data in any texel; check --height-channel, --input, --no-data "
-                        "and --alpha-weight",
-                        source.name()));
     result.rejects = source.rejects();
     result.no_data_texels = all.no_data;
+    result.weight = all.height.weight;
+    if (!(result.weight > 0))
+        return result;
+    result.has_holes = all.no_data > 0;
     result.complete = all.no_data == 0 && all.unit_weights;
     result.covered = all.covered;
     for (size_t c = 0; c < 3; ++c)
@@ -196,8 +195,22 @@ Survey survey(Source& source, const BakeMonitor& monitor)
         result.variance = all.height.squares / all.height.weight;
         result.h1 = scale_of(result.variance);
     }
-    result.weight = all.height.weight;
     return result;
+}
+
+void refuse_without_data(const Source& source)
+{
+    throw Error(fmt::format("{}: no data in any texel; check --height-channel, --input, --no-data "
+                            "and --alpha-weight",
+                            source.name()));
+}
+
+Survey survey(Source& source, const BakeMonitor& monitor)
+{
+    Survey found = survey_if_any(source, monitor);
+    if (!(found.weight > 0))
+        refuse_without_data(source);
+    return found;
 }
 
 void unite(const std::vector<Survey*>& surveys, const std::vector<double>& areas)

@@ -20,6 +20,7 @@ struct Survey {
     bool covered = true;               ///< every texel has data, with some weight
     long long no_data_texels = 0;
     MapEdges edges; ///< heights along the sides: what a periodic map, or its neighbour, needs
+    bool has_holes = false; ///< heights that slopes are made of may be missing
     /// What goes on beyond the sides, where it is more than a wrap says.
     std::optional<Surroundings> around;
     Rejects rejects;
@@ -35,6 +36,11 @@ constexpr int kStripRows = 64;
 /// Means and variances are merged row by row (Chan et al.), in the order of the rows. Throws Error
 /// when no texel has data.
 Survey survey(Source& source, const BakeMonitor& monitor);
+
+/// The same; without data its weight is 0, and the rest means nothing.
+Survey survey_if_any(Source& source, const BakeMonitor& monitor);
+
+[[noreturn]] void refuse_without_data(const Source& source);
 
 /// Makes what several maps of one surface are normalised and filled with that of all of them: h0,
 /// h1, range and mean color.

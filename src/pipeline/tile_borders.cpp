@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace scree {
 
 namespace {
-
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A place between the texels of an edge.
 struct Between {
@@ -44,7 +41,10 @@ bool meets(const MapEdge& own, size_t i, const MapEdge& other, const Between& th
 {
     if (own.place.empty())
         return true;
-    const double reach = (own.reach[i] + there.of(other.reach)) / 2;
+    // Between the other's places lies an arc, the straight line beside it.
+    const double spacing = (other.place[there.first] - other.place[there.second]).length();
+    const double bulge = there.part == 0 ? 0 : spacing / 4;
+    const double reach = (own.reach[i] + there.of(other.reach)) / 2 + bulge;
     return (own.place[i] - there.of(other.place)).length() < reach; // never with NaN
 }
 
@@ -55,7 +55,7 @@ std::vector<double> beyond(const MapEdge& own, double texel, const MapEdge& othe
                            double other_texel)
 {
     const size_t count = own.height.size();
-    std::vector<double> heights(count, kNothing);
+    std::vector<double> heights(count, kNothingBeyond);
     for (size_t i = 0; i < count; ++i) {
         const Between there(i, count, other.height.size());
         if (!meets(own, i, other, there))
@@ -97,36 +97,40 @@ Surroundings surroundings_of(const BorderedMap& map, const std::vector<BorderedM
     const auto side = [&](Side own, int du, int dv) {
         const BorderedMap* there = beside(du, dv);
         if (there == nullptr)
-            return std::vector<double>(du != 0 ? rows : columns, kNothing);
+            return std::vector<double>(du != 0 ? rows : columns, kNothingBeyond);
         const double texel = du != 0 ? 1.0 / map.width : 1.0 / map.height;
         const double other_texel = du != 0 ? 1.0 / there->width : 1.0 / there->height;
         return beyond(map.edges[own], texel, there->edges[opposite(own)], other_texel);
     };
-    // A corner is the diagonal neighbour's, if both maps on the way to it meet this one there.
-    const auto corner = [&](int du, int dv, double across_s, double across_t) {
+    // A corner is the diagonal neighbour's, if the way there, across the map above or below, meets.
+    const auto corner = [&](int du, int dv, double across_t) {
         const BorderedMap* there = beside(du, dv);
-        if (there == nullptr || std::isnan(across_s) || std::isnan(across_t))
-            return kNothing;
-        for (const BorderedMap* other : {there, beside(du, 0), beside(0, dv)})
-            if (other == nullptr || other->width != map.width || other->height != map.height)
-                return kNothing;
-        const std::vector<double>& edge = there->edges[du < 0 ? kRight : kLeft].height;
-        return dv > 0 ? edge.back() : edge.front();
+        const BorderedMap* between = beside(0, dv);
+        if (there == nullptr || between == nullptr || std::isinf(across_t))
+            return kNothingBeyond;
+        for (const BorderedMap* other : {there, between})
+            if (other->width != map.width || other->height != map.height)
+                return kNothingBeyond;
+        const Side toward = du < 0 ? kLeft : kRight;
+        const MapEdge& from = between->edges[toward];
+        const MapEdge& to = there->edges[opposite(toward)];
+        const size_t row = dv > 0 ? rows - 1 : 0;
+        return meets(from, row, to, Between(row, rows, rows)) ? to.height[row] : kNothingBeyond;
     };
 
     Surroundings around;
     around.left = side(kLeft, -1, 0);
     around.right = side(kRight, 1, 0);
     const std::vector<double> above = side(kTop, 0, 1), below = side(kBottom, 0, -1);
-    const auto row_of = [&](const std::vector<double>& heights, int dv, double left, double right) {
+    const auto row_of = [&](const std::vector<double>& heights, int dv) {
         std::vector<double> row(columns + 2);
-        row.front() = corner(-1, dv, left, heights.front());
+        row.front() = corner(-1, dv, heights.front());
         std::copy(heights.begin(), heights.end(), row.begin() + 1);
-        row.back() = corner(1, dv, right, heights.back());
+        row.back() = corner(1, dv, heights.back());
         return row;
     };
-    around.above = row_of(above, 1, around.left.front(), around.right.front());
-    around.below = row_of(below, -1, around.left.back(), around.right.back());
+    around.above = row_of(above, 1);
+    around.below = row_of(below, -1);
     return around;
 }
 

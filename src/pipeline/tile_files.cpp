@@ -21,6 +21,14 @@ std::vector<int> without(const std::vector<int>& numbers, const std::vector<int>
     return left;
 }
 
+std::vector<int> united(const std::vector<int>& numbers, const std::vector<int>& others)
+{
+    std::vector<int> all;
+    std::set_union(numbers.begin(), numbers.end(), others.begin(), others.end(),
+                   std::back_inserter(all));
+    return all;
+}
+
 /// Numbers between two others of the same row.
 std::vector<int> gaps_of(const std::vector<int>& numbers)
 {
@@ -52,8 +60,10 @@ TileFiles find_tiles(const BakeOptions& options, const BakedMesh* mesh)
         if (!numbers.empty())
             found.warnings.push_back(tiles(numbers) + ": " + why);
     };
+    std::vector<int> any = found.numbers; // of height or color
     if (!color.empty()) {
         const std::vector<int> colored = tiles_of(options.color_file);
+        any = united(any, colored);
         const std::vector<int> plain = without(found.numbers, colored);
         warn(plain, fmt::format("no {}; left out", color));
         warn(without(colored, found.numbers), fmt::format("no {}; left out", height));
@@ -62,13 +72,13 @@ TileFiles find_tiles(const BakeOptions& options, const BakedMesh* mesh)
             throw Error(fmt::format("{} and {} have no tile in common", height, color));
     }
     if (mesh == nullptr) {
-        warn(gaps_of(found.numbers), fmt::format("no {}, though the row goes on", height));
+        warn(gaps_of(any), fmt::format("no {}, though the row goes on", height));
         return found;
     }
     const std::vector<int> reached = mesh->tiles();
     const std::vector<int> idle = without(found.numbers, reached);
     warn(without(reached, found.numbers),
-         fmt::format("faces of {} reach into it, but it has no {}", mesh->name(), height));
+         fmt::format("no {}, though faces of {} reach there", height, mesh->name()));
     warn(idle, fmt::format("no face of {} reaches there; left out", mesh->name()));
     found.numbers = without(found.numbers, idle);
     if (found.numbers.empty())

@@ -57,7 +57,7 @@ BaseTexels::BaseTexels(const StatisticsInput& input)
                 colors[i] = input.relief.colors[i];
     hn.resize(n);
     if (!input.relief.heights.empty())
-        normalise_heights(input.relief.heights);
+        normalise_heights(input.relief.heights, input.h0_h1);
     if (input.slopes.empty())
         heights_.emplace(input.relief, weights, input.reconstruction);
     mean_slopes.resize(n);
@@ -100,7 +100,8 @@ void BaseTexels::check(const StatisticsInput& input) const
             throw std::invalid_argument("statistics: a weight is infinite");
 }
 
-void BaseTexels::normalise_heights(const std::vector<double>& heights)
+void BaseTexels::normalise_heights(const std::vector<double>& heights,
+                                   const std::optional<std::array<double, 2>>& given)
 {
     /// Weighted mean of value(h) over the texels with data, summed row by row about the first.
     auto mean_of_heights = [&](auto value) {
@@ -128,6 +129,10 @@ void BaseTexels::normalise_heights(const std::vector<double>& heights)
     const double deviation =
         std::sqrt(mean_of_heights([this](double h) { return (h - h0) * (h - h0); }));
     h1 = deviation > 0 ? deviation : 1;
+    if (given) {
+        h0 = (*given)[0];
+        h1 = (*given)[1];
+    }
     for (size_t i = 0; i < hn.size(); ++i)
         if (weights[i] > 0)
             hn[i] = (heights[i] - h0) / h1;

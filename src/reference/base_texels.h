@@ -28,7 +28,8 @@ struct BaseTexels {
 
 private:
     void check(const StatisticsInput& input) const;
-    void normalise_heights(const std::vector<double>& heights);
+    void normalise_heights(const std::vector<double>& heights,
+                           const std::optional<std::array<double, 2>>& given);
 
     std::optional<HeightGrid> heights_; ///< absent for a normal map
 };

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "reference/rank_terms.h"
@@ -19,6 +20,7 @@ struct StatisticsInput {
     Relief relief; ///< without colors their statistics are 0; without heights there are `slopes`
     std::vector<std::array<double, 2>> slopes; ///< (s, t) of a normal map; empty: from the heights
     Reconstruction reconstruction = Reconstruction::bilinear;
+    std::optional<std::array<double, 2>> h0_h1; ///< of a tile: its set's; absent: found
 };
 
 /// What lies in the footprint of one texel; all zero where coverage is 0.
@@ -62,8 +64,10 @@ public:
     ~Statistics();
     Statistics(Statistics&&) noexcept;
 
-    [[nodiscard]] double h0() const; ///< weighted mean height of the texels with data, world units
-    [[nodiscard]] double h1() const; ///< their population standard deviation; 1 if all are equal
+    /// As given, or weighted mean height of the texels with data, world units.
+    [[nodiscard]] double h0() const;
+    /// As given, or their population standard deviation; 1 if all are equal.
+    [[nodiscard]] double h1() const;
     [[nodiscard]] size_t valid_texels() const; ///< of level 0: those with data
 
     /// Sizes max(1, floor(n / 2)) from level to level, down to 1x1.

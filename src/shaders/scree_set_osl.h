@@ -43,6 +43,16 @@ normal scree_normal(ScreeFrame f, float s, float t)
     return normalize(normal(f.z - s * f.x - t * f.y));
 }
 
+// Where v runs up: the t at which a set is looked up. Of a set of tiles ("<UDIM>" in its name) t
+// runs down inside each tile; its lower border stays in the tile.
+float scree_flipped(string name, float v)
+{
+    if (!regex_search(name, "<UDIM>"))
+        return 1 - v;
+    float tile = floor(v);
+    return tile + min(1 - (v - tile), 1 - 1e-6 * (1 + tile));
+}
+
 string scree_file(string folder, string name, string map)
 {
     return concat(folder, "/", name, ".", map, ".exr");

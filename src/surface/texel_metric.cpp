@@ -56,8 +56,9 @@ std::vector<std::pair<int, int>> TexelMetrics::tiles() const
 {
     // Boxes in tiles, each once: many faces share few.
     std::set<std::array<int, 4>> boxes;
-    const auto below = [](double x) { return static_cast<int>(std::floor(x)); };
-    const auto above = [](double x) { return static_cast<int>(std::ceil(x)); };
+    constexpr double kNoise = 1e-5; // of files that write coordinates with five digits
+    const auto below = [](double x) { return static_cast<int>(std::floor(x + kNoise)); };
+    const auto above = [](double x) { return static_cast<int>(std::ceil(x - kNoise)); };
     for (const Box& box : boxes_)
         if (!box.is_empty())
             boxes.insert(

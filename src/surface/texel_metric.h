@@ -56,8 +56,8 @@ public:
     /// surface  must live longer
     explicit TexelMetrics(const LimitSurface& surface);
 
-    /// Tiles (u, v) that faces reach into, sorted by v, then u. A face counts by its box, so a tile
-    /// may be listed whose texels are all outside.
+    /// Tiles (u, v) that faces reach into by more than 1e-5, sorted by v, then u. A face counts by
+    /// its box, so a tile may be listed whose texels are all outside.
     [[nodiscard]] std::vector<std::pair<int, int>> tiles() const;
 
     /// Holes, faces at a boundary without rule, and what else OpenSubdiv has no surface of: they

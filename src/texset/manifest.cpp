@@ -71,19 +71,25 @@ Manifest manifest_of_map(const Manifest& set, int tile)
     return map;
 }
 
+std::vector<std::string> files_of(const TextureRecord& texture, const Manifest& manifest)
+{
+    if (!is_tiled(texture.file))
+        return {texture.file};
+    std::vector<std::string> files;
+    for (const TileRecord& tile : manifest.tiles)
+        files.push_back(file_of_tile(texture.file, tile.number).string());
+    return files;
+}
+
 std::set<std::string> files_of_set(const fs::path& folder)
 {
     std::set<std::string> files;
     try {
         const fs::path path = find_manifest(folder, kSuffix, "texture set");
         const Manifest manifest = read_manifest(path);
-        for (const auto& texture : manifest.textures) {
-            if (!is_tiled(texture.file))
-                files.insert(texture.file);
-            else
-                for (const auto& tile : manifest.tiles)
-                    files.insert(file_of_tile(texture.file, tile.number).string());
-        }
+        for (const auto& texture : manifest.textures)
+            for (auto& file : files_of(texture, manifest))
+                files.insert(std::move(file));
         files.insert(path.filename().string());
     } catch (const Error&) {
         return {}; // no set, or none we can read: not ours to replace

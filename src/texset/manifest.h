@@ -207,6 +207,9 @@ Manifest manifest_of_map(const Manifest& set, int tile);
 /// The manifest as JSON text.
 std::string to_json(const Manifest& manifest);
 
+/// Files of a texture: of tiles, one of each.
+std::vector<std::string> files_of(const TextureRecord& texture, const Manifest& manifest);
+
 /// Names of the files of the set in `folder`, manifest included; empty when there is no set.
 std::set<std::string> files_of_set(const std::filesystem::path& folder);
 

@@ -1,5 +1,6 @@
 #include "texset/readable.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -25,8 +26,11 @@ void expect_readable(const fs::path& path, const std::string& expected)
         throw Error(fmt::format("{}: is a folder, expected {}", path.string(), expected));
     if (fs::is_regular_file(status) && fs::file_size(path) == 0)
         throw Error(fmt::format("{}: the file is empty", path.string()));
-    if (access(path.c_str(), R_OK) != 0)
-        throw Error(fmt::format("{}: {}", path.string(), std::strerror(errno)));
+    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file < 0)
+        throw Error(fmt::format("{}: {}{}", path.string(), std::strerror(errno),
+                                errno == EMFILE ? "; allow more of them (ulimit -n)" : ""));
+    close(file);
 }
 
 } // namespace scree

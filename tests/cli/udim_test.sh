@@ -4,7 +4,8 @@
 "$scree" sample fractal --size 64 -o pair --quiet || fail "scree sample fractal"
 mkdir in
 for number in 1001 1002 1012; do
-    cp pair/fractal.height.exr "in/rock.$number.exr"
+    oiiotool pair/fractal.height.exr --mulc "0.$number" --addc "$((number - 1001))" \
+        -o "in/rock.$number.exr"
     cp pair/fractal.color.exr "in/rock.diff.$number.exr"
 done
 bake=("$scree" bake --height 'in/rock.<UDIM>.exr' --world-size 4000)
@@ -38,6 +39,9 @@ expect_success 'a tile less' -- "${bake[@]}" --color 'in/rock.diff.<UDIM>.exr' -
 grep -q 'warning: tile 1012: no in/rock.<UDIM>.exr; left out' stderr || fail "no word: $(cat stderr)"
 [ ! -e set/rock.1012.slope.exr ] || fail 'a tile of the set before is left'
 expect_success 'validate of a tile' -- "$scree" validate set --udim 1002 --inputs in --statistics-only
+expect_success 'a table of a tile' -- "$scree" table brdf --set set --udim 1002 --level 4 \
+    --size 4x4x4 -o table
+expect_usage_error 'a name of tiles' 'leave out <UDIM>' -- "${bake[@]}" --name 'r.<UDIM>' -o out
 expect_usage_error 'half tiles' 'name the tiles of both' -- \
     "${bake[@]}" --color in/rock.diff.1001.exr -o out
 expect_usage_error 'no tiles' 'speaks of tiles' -- \

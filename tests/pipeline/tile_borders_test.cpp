@@ -61,11 +61,11 @@ TEST(TileBorders, NothingWhereThereIsNoTile)
     const auto maps = nine_tiles(4, 6, [](double u, double) { return u; });
     const Surroundings corner = surroundings_of(maps[0], maps, false, false);
     for (const double height : corner.left)
-        EXPECT_TRUE(std::isnan(height));
+        EXPECT_EQ(height, kNothingBeyond);
     for (const double height : corner.below)
-        EXPECT_TRUE(std::isnan(height));
-    EXPECT_TRUE(std::isnan(corner.above.front()));
-    EXPECT_FALSE(std::isnan(corner.above.back()));
+        EXPECT_EQ(height, kNothingBeyond);
+    EXPECT_EQ(corner.above.front(), kNothingBeyond);
+    EXPECT_NE(corner.above.back(), kNothingBeyond);
 }
 
 TEST(TileBorders, ALoneMapMeetsItselfWhereItWraps)
@@ -76,7 +76,7 @@ TEST(TileBorders, ALoneMapMeetsItselfWhereItWraps)
     EXPECT_EQ(around.left, maps[0].edges[kRight].height);
     EXPECT_EQ(around.right, maps[0].edges[kLeft].height);
     for (const double height : around.above)
-        EXPECT_TRUE(std::isnan(height));
+        EXPECT_EQ(height, kNothingBeyond);
 }
 
 // Tiles of four resolutions: what is beyond is where the plane is.
@@ -125,13 +125,13 @@ TEST(TileBorders, OnAMeshTheyMeetWhereTheSurfaceGoesOn)
         const Surroundings around = surroundings_of(maps[0], maps, false, false);
         for (size_t y = 0; y < 8; ++y) {
             const bool meets = gap < 0.5 / 8 && y != 3;
-            EXPECT_EQ(std::isnan(around.right[y]), !meets) << gap << ' ' << y;
+            EXPECT_EQ(around.right[y] == kNothingBeyond, !meets) << gap << ' ' << y;
             if (meets) {
                 EXPECT_EQ(around.right[y], maps[1].edges[kLeft].height[y]);
             }
         }
-        EXPECT_TRUE(std::isnan(around.left[0]));
-        EXPECT_TRUE(std::isnan(around.above[4]));
+        EXPECT_EQ(around.left[0], kNothingBeyond);
+        EXPECT_EQ(around.above[4], kNothingBeyond);
     }
 }
 

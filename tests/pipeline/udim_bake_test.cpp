@@ -194,7 +194,8 @@ TEST_F(UdimBake, MissingTilesAreReported)
     EXPECT_NE(all.find("tile 1002: no "), std::string::npos) << all;
     EXPECT_NE(all.find("c.<UDIM>.exr; left out"), std::string::npos) << all;
     EXPECT_NE(all.find("tile 1011: no "), std::string::npos) << all;
-    EXPECT_NE(all.find("tiles 1002, 1003: no "), std::string::npos) << all;
+    EXPECT_NE(all.find("tile 1003: no "), std::string::npos) << all;
+    EXPECT_EQ(all.find("tiles 1002, 1003"), std::string::npos) << all;
     EXPECT_FALSE(std::filesystem::exists(temp_ / "set" / "test.1002.slope.exr"));
     // The next bake replaces the whole set.
     std::filesystem::remove(temp_ / "h.1004.exr");
@@ -208,9 +209,98 @@ TEST_F(UdimBake, AFailedTileLeavesNothing)
     std::ofstream(temp_ / "h.1012.exr") << "no image";
     EXPECT_THROW(bake(tiles("set"), {}), Error);
     EXPECT_FALSE(std::filesystem::exists(temp_ / "set"));
-    write_image(temp_ / "h.1012.exr", random_image(kSize, kSize, {"Y"}, 1, std::nanf(""), 1));
-    EXPECT_THROW(bake(tiles("set"), {}), Error); // no data at all, found in the survey
-    EXPECT_FALSE(std::filesystem::exists(temp_ / "set"));
+}
+
+TEST_F(UdimBake, ATileWithoutDataIsLeftOut)
+{
+    const Image nothing{
+        kSize, kSize, {"Y"}, std::vector<float>(static_cast<size_t>(kSize) * kSize, std::nanf(""))};
+    write_image(temp_ / "h.1002.exr", nothing);
+    const Manifest set = bake(tiles("set"), {});
+    EXPECT_EQ(set.tiles.size(), 3U);
+    EXPECT_NE(set.warnings.front().find("tile 1002: "), std::string::npos) << set.warnings.front();
+    for (const char* number : {"1001", "1011", "1012"})
+        write_image(temp_ / ("h." + std::string(number) + ".exr"), nothing);
+    EXPECT_THROW(bake(tiles("none"), {}), Error);
+    EXPECT_FALSE(std::filesystem::exists(temp_ / "none"));
+}
+
+// Holes up to the border: the tile beyond it sees what one map would.
+TEST_F(UdimBake, HolesAtABorderAreHolesForTheNeighbour)
+{
+    Image heights = random_image(2 * kSize, 2 * kSize, {"Y"}, 9);
+    for (int y = 0; y < 2 * kSize; ++y)
+        for (int x = 0; x < 2 * kSize; ++x)
+            if ((x * 7 + y * 5) % 11 < 3)
+                heights.pixels[static_cast<size_t>(y) * 2 * kSize + static_cast<size_t>(x)] =
+                    std::nanf("");
+    write("h", heights);
+    for (const Wrap wrap : {Wrap::clamp, Wrap::black, Wrap::mirror})
+        for (const Reconstruction reconstruction :
+             {Reconstruction::bilinear, Reconstruction::central, Reconstruction::sobel}) {
+            BakeOptions one = options("", "one"), many = tiles("many");
+            for (BakeOptions* o : {&one, &many}) {
+                o->wrap_s = o->wrap_t = wrap;
+                o->reconstruction = reconstruction;
+                o->maps = {Map::slope};
+            }
+            many.udim_wrap = true;
+            bake(one, {});
+            bake(many, {});
+            const Image truth = levels("one", "slope")[0], known = levels("one", "coverage")[0];
+            for (int tile = 0; tile < 4; ++tile) {
+                const int u = tile % 2, v = tile / 2;
+                const Image baked = levels("many", std::to_string(1001 + u + 10 * v) + ".slope")[0];
+                const Image part = cut(truth, u * kSize, (1 - v) * kSize, kSize, kSize);
+                const Image has = cut(known, u * kSize, (1 - v) * kSize, kSize, kSize);
+                for (size_t i = 0; i < part.pixels.size(); ++i) {
+                    if (!(has.pixels[i / 5] > 0))
+                        continue;
+                    ASSERT_NEAR(baked.pixels[i], part.pixels[i], 1e-5F)
+                        << tile << ' ' << i / 5 % kSize << ' ' << i / 5 / kSize;
+                }
+            }
+        }
+}
+
+// Four sheets, three of which meet: the fourth lies far off, and its corner is none of theirs.
+TEST_F(UdimBake, CornersMeetAsSidesDo)
+{
+    const auto sheet = [](double x, double y, double z) {
+        std::string text;
+        for (const auto& [dx, dy] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
+            text += "v " + std::to_string(x + dx) + " " + std::to_string(y + dy) + " " +
+                    std::to_string(z) + "\n";
+        return text;
+    };
+    for (const bool meets : {true, false}) {
+        std::string text =
+            sheet(0, 0, 0) + sheet(1, 0, 0) + sheet(0, 1, 0) + sheet(1, 1, meets ? 0 : 50) +
+            "vt 0 0\nvt 1 0\nvt 2 0\nvt 0 1\nvt 1 1\nvt 2 1\nvt 0 2\nvt 1 2\nvt 2 2\n";
+        const int corner[4][4] = {{1, 2, 5, 4}, {2, 3, 6, 5}, {4, 5, 8, 7}, {5, 6, 9, 8}};
+        for (int s = 0; s < 4; ++s) {
+            text += "f";
+            for (int k = 0; k < 4; ++k)
+                text += " " + std::to_string(4 * s + k + 1) + "/" + std::to_string(corner[s][k]);
+            text += "\n";
+        }
+        obj(text);
+        // All is flat but tile 1012.
+        for (const char* number : {"1001", "1002", "1011", "1012"})
+            write_image(temp_ / ("h." + std::string(number) + ".exr"),
+                        Image{kSize,
+                              kSize,
+                              {"Y"},
+                              std::vector<float>(static_cast<size_t>(kSize) * kSize,
+                                                 std::string(number) == "1012" ? 1.0F : 0.0F)});
+        BakeOptions o = tiles("set");
+        o.texel_size.reset();
+        o.mesh_file = temp_ / "mesh.obj";
+        bake(o, {});
+        const Image slope = levels("set", "1001.slope")[0];
+        EXPECT_EQ(slope.at(kSize - 1, 0, 0) != 0, meets);
+        EXPECT_EQ(slope.at(kSize - 2, 0, 0), 0);
+    }
 }
 
 TEST_F(UdimBake, WhatDoesNotGoWithTilesIsRefused)
@@ -422,8 +512,7 @@ TEST_F(UdimBake, TilesThatAMeshHasAndFilesHaveNot)
     o.mesh_file = temp_ / "mesh.obj";
     const Manifest set = bake(o, {});
     ASSERT_EQ(set.tiles.size(), 1U);
-    EXPECT_NE(set.warnings[0].find("tiles 1003, 1004: faces of"), std::string::npos)
-        << set.warnings[0];
+    EXPECT_NE(set.warnings[0].find("tiles 1003, 1004: no "), std::string::npos) << set.warnings[0];
     // A single map is for 1001.
     BakeOptions single = options("", "single");
     single.texel_size.reset();

@@ -109,6 +109,50 @@ TEST_F(Osl, RawShaderGivesWhatTheCppFrontMakesOfTheSameTexels)
         }
 }
 
+// Four tiles under one name, each looked up beyond 1 with v up, against the file of the tile alone.
+TEST_F(Osl, TilesAreFoundByTheirNumber)
+{
+    write_image(temp_ / "lut.exr", random_image(5, 1, {"R", "G", "B"}, 33));
+    for (int tile = 0; tile < 4; ++tile)
+        write_image(temp_ / ("h." + std::to_string(1001 + tile % 2 + 10 * (tile / 2)) + ".exr"),
+                    random_image(64, 64, {"Y"}, 40 + static_cast<unsigned>(tile)));
+    BakeOptions options;
+    options.height_file = temp_ / "h.<UDIM>.exr";
+    options.colormap_file = temp_ / "lut.exr";
+    options.output = temp_ / "set";
+    options.name = "rough";
+    options.height_scale = 0.3;
+    options.texel_size = {{1, 1}};
+    options.wrap_s = options.wrap_t = Wrap::clamp;
+    options.pixel_type = PixelTypeChoice::float32;
+    bake(options);
+    compile("src/shaders/scree_raw.osl");
+    const auto drawn = [&](const std::string& name, int u, int v, int color_model) {
+        const RunResult result =
+            shade(words("-g 16 16 --param folder set --param name " + name + " --offsetst " +
+                        std::to_string(u) + " " + std::to_string(v) +
+                        " --param flip_t 1 --param:type=vector view 0.8,-0.3,0.35 " +
+                        "--param color_model " + std::to_string(color_model) +
+                        " -o visible_color color.exr -o masking masking.exr scree_raw"));
+        EXPECT_EQ(result.status, 0) << result.said;
+        return std::array{output("color"), output("masking")};
+    };
+    for (int tile = 0; tile < 4; ++tile)
+        for (const int color_model : {1, 2, 3}) {
+            const int u = tile % 2, v = tile / 2;
+            const auto found = drawn("rough.<UDIM>", u, v, color_model);
+            const auto alone =
+                drawn("rough." + std::to_string(1001 + u + 10 * v), 0, 0, color_model);
+            const auto other = drawn("rough.1001", 0, 0, color_model);
+            for (size_t image = 0; image < found.size(); ++image)
+                for (size_t i = 0; i < found[image].pixels.size(); ++i)
+                    ASSERT_NEAR(found[image].pixels[i], alone[image].pixels[i],
+                                5e-5F * std::max(1.0F, std::abs(alone[image].pixels[i])))
+                        << tile << ' ' << color_model << ' ' << image << ' ' << i;
+            EXPECT_EQ(found[0].pixels == other[0].pixels, tile == 0);
+        }
+}
+
 TEST_F(Osl, ScaleOfTheHeightsScalesSlopesOnceAndCovariancesTwice)
 {
     bake_random(temp_);

@@ -44,7 +44,7 @@ Manifest tiled_manifest()
     m.wrap_s = m.wrap_t = "clamp";
     m.mesh = mesh_record(1012);
     m.textures = {{Map::slope, "rock.<UDIM>.slope.exr", {"s"}, PixelType::half, {}, {}},
-                  {Map::map, "rock.map.exr", {"R"}, PixelType::float32, {}, {}}};
+                  {Map::map, "rock.<UDIM>.map.exr", {"R"}, PixelType::float32, {}, {}}};
     TileRecord first;
     first.number = 1001;
     first.width = first.height = 8;
@@ -107,7 +107,9 @@ TEST(ManifestTiles, ATileIsASetOfItsOwn)
     EXPECT_EQ(map.no_data_texels, 20);
     EXPECT_EQ(map.levels.size(), 3U);
     EXPECT_EQ(map.textures[0].file, "rock.1012.slope.exr");
-    EXPECT_EQ(map.textures[1].file, "rock.map.exr");
+    EXPECT_EQ(map.textures[1].file, "rock.1012.map.exr");
+    EXPECT_EQ(files_of(tiled_manifest().textures[0], tiled_manifest()),
+              (std::vector<std::string>{"rock.1001.slope.exr", "rock.1012.slope.exr"}));
     ASSERT_EQ(map.inputs.size(), 2U);
     EXPECT_EQ(map.inputs[0].file, "h.1012.exr");
     EXPECT_EQ(map.inputs[1].file, "m.obj");
