@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "math/error.h"
+#include "pipeline/let_go.h"
 #include "texset/file_hash.h"
 
 namespace scree {
@@ -38,7 +39,7 @@ void ChannelRows::rewind(bool last_time)
 void ChannelRows::rest()
 {
     image_.release();
-    pixels_ = {};
+    let_go(pixels_);
 }
 
 std::string ChannelRows::name(int place) const

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/let_go.h"
+
 namespace scree {
 
 ColorReader::ColorReader(const BakeOptions& options, int width, int height)
@@ -28,9 +30,9 @@ void ColorReader::rewind(bool last_time)
 void ColorReader::rest()
 {
     rows.rest();
-    linear_ = {};
-    interleaved_ = {};
-    alpha = {};
+    let_go(linear_);
+    let_go(interleaved_);
+    let_go(alpha);
 }
 
 void ColorReader::read(int y, int count, std::vector<float>& color, Rejects& rejects)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/let_go.h"
 #include "pipeline/survey.h"
 
 namespace scree {
@@ -136,8 +137,8 @@ void MeshSource::read(int count, SurfaceRows& rows)
 void MeshSource::rest()
 {
     flat_.rest();
-    found_ = {};
-    texels_ = {};
+    let_go(found_);
+    let_go(texels_);
 }
 
 void MeshSource::apply(const Texel& texel, size_t index, int y, int x, SurfaceRows& rows)
