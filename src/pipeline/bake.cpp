@@ -222,8 +222,7 @@ Manifest bake(const BakeOptions& options, const BakeMonitor& monitor)
     if (!options.mesh_file.empty())
         mesh.emplace(options);
     Manifest manifest;
-    std::optional<StagedFolder>
-        folder; // outlives the maps: to go, it may need a file they hold open
+    std::optional<StagedFolder> folder; // outlives the maps, whose many files it needs closed to go
     BakedMaps maps = open_maps(options, mesh ? &*mesh : nullptr, manifest);
     folder.emplace(options.output);
     for (const auto& map : maps)
