@@ -49,8 +49,9 @@ void print_mesh(const Manifest& m)
     if (!m.mesh)
         return;
     const MeshRecord& mesh = *m.mesh;
-    fmt::print("  {} subdivision, boundary {}, UVs linear: {}\n", mesh.scheme, mesh.boundary,
-               mesh.uv_interpolation);
+    if (!mesh.scheme.empty()) // sets of before format 3 do not say
+        fmt::print("  {} subdivision, boundary {}, UVs linear: {}\n", mesh.scheme, mesh.boundary,
+                   mesh.uv_interpolation);
     fmt::print("  charts: {}, mirrored: {}; {} texels in them, {:g} square world units; overlapped "
                "{}, mirrored {}, without tangents {}\n",
                mesh.charts, mesh.mirrored_charts, mesh.covered, mesh.area, mesh.overlapped,

@@ -67,6 +67,8 @@ void write_maps(const BakedMaps& maps, const HeightGrid* heights, SetPlan& plan,
             SetPlan own = plan;
             manifest.tiles[map].levels =
                 write_textures(*maps[map]->surface, own, nullptr, headers[map], folder);
+        } catch (const Cancelled&) {
+            throw;
         } catch (const Error& e) {
             throw Error(fmt::format("tile {}: {}", maps[map]->number(), e.what()));
         }

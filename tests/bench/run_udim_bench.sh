@@ -10,9 +10,10 @@
 #
 # All maps of heights and a color from 16-bit PNG files, whose decoding cannot be shared among threads; halves,
 # zip. "tiles" is the set, "meeting" the same with --udim-wrap, "apart" the sum of its bakes as single maps,
-# "one" one of these. Seconds, median; memory, the largest of one process. Prints a table.
-# Exit status: 0 done, 1 failed, or a set takes more memory than as many single bakes as there are threads, 2
-# usage.
+# "one" one of these; "sheet" lies on a mesh over all tiles, "sheet of 2" on one over two. Seconds, median; memory,
+# the largest of one process. Prints a table.
+# Exit status: 0 done, 1 failed, or a set takes more memory than as many single bakes as there are threads, or
+# grows with the number of tiles by more than a tenth, 2 usage.
 set -euo pipefail
 export LC_ALL=C
 
@@ -28,21 +29,30 @@ for kind in height color; do
     oiiotool "$work/pair/fractal.$kind.exr" "${map[@]}" -d uint16 -o "$work/$kind.1001.png"
     for ((i = 1; i < tiles; ++i)); do cp "$work/$kind.1001.png" "$work/$kind.$((1001 + i)).png"; done
 done
+sheet() { # TILES: one face over as many
+    printf 'v 0 0 0\nv %d 0 0\nv %d 1 0\nv 0 1 0\nvt 0 0\nvt %d 0\nvt %d 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n' \
+        "$1" "$1" "$1" "$1"
+}
+sheet "$tiles" > "$work/sheet.obj"
+sheet 2 > "$work/two.obj"
 timed() { # RUNS_FILE TILE OPTIONS...: a line "seconds user system kilobytes"
     local file=$1 tile=$2
     shift 2
     /usr/bin/time -q -f "%e %U %S %M" -o "$work/time" "$scree" bake \
-        --height "$work/height.$tile.png" --color "$work/color.$tile.png" --height-scale 1111 \
-        --world-size 4000 --wrap clamp --pixel-type half -o "$work/out" --quiet "$@"
+        --height "$work/height.$tile.png" --color "$work/color.$tile.png" --pixel-type half \
+        -o "$work/out" --quiet "$@"
     cat "$work/time" >> "$work/$file"
     rm -rf "$work/out"
 }
 round() {
-    timed tiles.runs '<UDIM>'
-    timed meeting.runs '<UDIM>' --udim-wrap
-    timed one.runs 1001
+    local plane=(--height-scale 1111 --world-size 4000 --wrap clamp)
+    timed tiles.runs '<UDIM>' "${plane[@]}"
+    timed meeting.runs '<UDIM>' "${plane[@]}" --udim-wrap
+    timed one.runs 1001 "${plane[@]}"
+    timed sheet.runs '<UDIM>' --height-scale 0.1 --mesh "$work/sheet.obj"
+    timed two.runs '<UDIM>' --height-scale 0.1 --mesh "$work/two.obj"
     rm -f "$work/sum"
-    for ((i = 0; i < tiles; ++i)); do timed sum $((1001 + i)); done
+    for ((i = 0; i < tiles; ++i)); do timed sum $((1001 + i)) "${plane[@]}"; done
     awk '{ s += $1; u += $2; k += $3; m = $4 > m ? $4 : m } END { print s, u, k, m }' "$work/sum" \
         >> "$work/apart.runs"
 }
@@ -59,9 +69,12 @@ for ((i = 0; i <= runs; ++i)); do
 done
 echo "| bake | s | ratio | processor s | ratio | MB |"
 echo "| --- | --- | --- | --- | --- | --- |"
-for name in apart tiles meeting one; do
-    awk -v n=$name -v s="$(wall $name)" -v s0="$(wall apart)" -v p="$(processor $name)" \
+for name in apart tiles meeting one sheet two; do
+    label=$name
+    [ $name != two ] || label="sheet of 2"
+    awk -v n="$label" -v s="$(wall $name)" -v s0="$(wall apart)" -v p="$(processor $name)" \
         -v p0="$(processor apart)" -v m="$(memory $name)" 'BEGIN {
             printf "| %s | %.2f | %.2f | %.2f | %.2f | %.0f |\n", n, s, s / s0, p, p / p0, m / 1000 }'
 done
-[ "$(memory tiles)" -le $(($(memory one) * $(nproc))) ]
+[ "$(memory tiles)" -le $(($(memory one) * $(nproc))) ] || { echo "too much memory" >&2; exit 1; }
+[ "$(memory sheet)" -le $(($(memory two) * 11 / 10)) ] || { echo "memory grows with the tiles" >&2; exit 1; }
